@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: The Scanwrap authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Warnings, sanitizers and floating-point rules, linked PRIVATE by every target of the project.
+option(SCAN_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+set(SCAN_SANITIZE "" CACHE STRING "Sanitizers for all targets, e.g. address,undefined")
+
+add_library(scan_build_flags INTERFACE)
+target_compile_options(scan_build_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+  -ffp-contract=off # the same bytes on machines with and without FMA
+  $<$<BOOL:${SCAN_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<BOOL:${SCAN_SANITIZE}>:-fsanitize=${SCAN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined>)
+target_link_options(scan_build_flags INTERFACE
+  $<$<BOOL:${SCAN_SANITIZE}>:-fsanitize=${SCAN_SANITIZE}>)

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "execution.h"
+
+#include "error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace scan
+{
+
+Execution::Execution(unsigned threads, CancelToken token, Listener listener)
+  : Threads(threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()))
+  , Token(std::move(token))
+  , Notify(std::move(listener))
+{
+}
+
+void Execution::plan(std::vector<Phase> phases)
+{
+  this->Phases = std::move(phases);
+  this->Fraction = 0.0;
+}
+
+void Execution::step(std::string_view phase, std::size_t done, std::size_t total)
+{
+  if (this->cancelled())
+  {
+    throw Cancelled();
+  }
+  if (!this->Notify)
+  {
+    return;
+  }
+  double before = 0.0;
+  double whole = 0.0;
+  double own = 0.0;
+  for (const Phase& planned : this->Phases)
+  {
+    if (planned.name == phase)
+    {
+      before = whole;
+      own = planned.weight;
+    }
+    whole += planned.weight;
+  }
+  if (own <= 0.0)
+  {
+    return;
+  }
+  const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
+  this->Fraction =
+    std::max(this->Fraction, (before + own * std::clamp(part, 0.0, 1.0)) / whole);
+  this->Notify(phase, this->Fraction);
+}
+
+void Execution::parallelFor(std::size_t n, std::size_t grain,
+  const std::function<void(std::size_t begin, std::size_t end)>& body)
+{
+  const auto guarded = [&](std::size_t begin, std::size_t end) {
+    if (!this->cancelled())
+    {
+      body(begin, end);
+    }
+  };
+  grain = std::max<std::size_t>(grain, 1);
+  if (this->Threads == 1 || n <= grain)
+  {
+    for (std::size_t begin = 0; begin < n; begin += grain)
+    {
+      guarded(begin, std::min(n, begin + grain));
+    }
+  }
+  else
+  {
+    tbb::task_arena arena(static_cast<int>(this->Threads));
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+        [&](const tbb::blocked_range<std::size_t>& range) { guarded(range.begin(), range.end()); });
+    });
+  }
+  if (this->cancelled())
+  {
+    throw Cancelled();
+  }
+}
+
+} // namespace scan
