@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "execution.h"
+#include "filters/base/execution.h"
 
-#include "error.h"
+#include "filters/base/error.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
