@@ -54,15 +54,15 @@ void Execution::step(std::string_view phase, std::size_t done, std::size_t total
     return;
   }
   const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
-  this->Fraction =
-    std::max(this->Fraction, (before + own * std::clamp(part, 0.0, 1.0)) / whole);
+  this->Fraction = std::max(this->Fraction, (before + own * std::clamp(part, 0.0, 1.0)) / whole);
   this->Notify(phase, this->Fraction);
 }
 
 void Execution::parallelFor(std::size_t n, std::size_t grain,
   const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
-  const auto guarded = [&](std::size_t begin, std::size_t end) {
+  const auto guarded = [&](std::size_t begin, std::size_t end)
+  {
     if (!this->cancelled())
     {
       body(begin, end);
@@ -79,10 +79,13 @@ void Execution::parallelFor(std::size_t n, std::size_t grain,
   else
   {
     tbb::task_arena arena(static_cast<int>(this->Threads));
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-        [&](const tbb::blocked_range<std::size_t>& range) { guarded(range.begin(), range.end()); });
-    });
+    arena.execute(
+      [&]
+      {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+          [&](const tbb::blocked_range<std::size_t>& range)
+          { guarded(range.begin(), range.end()); });
+      });
   }
   if (this->cancelled())
   {

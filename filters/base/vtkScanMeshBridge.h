@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/geometry/mesh.h"
+
+#include <vtkSmartPointer.h>
+
+#include <span>
+#include <vector>
+
+class vtkPolyData;
+
+/// The only place that converts between vtkPolyData and the arrays of the kernels.
+namespace scan::bridge
+{
+
+/// The points of `data`, in their order, as doubles.
+/// @throws Error{limit} for more points than Index can count
+std::vector<Vec3> pointsOf(vtkPolyData& data);
+
+/// Points and faces of `data`: polygons become fans, strips become triangles, vertices and lines
+/// are left out. Polygons with fewer than three corners are skipped.
+/// @throws Error{limit} as pointsOf; Error{badInput} when a face names a point that is not there
+TriMesh meshOf(vtkPolyData& data);
+
+/// The lines of `data` as segments.
+/// @throws Error{badInput} when a line names a point that is not there
+std::vector<Segment> segmentsOf(vtkPolyData& data);
+
+/// Makes `output` the mesh: double points, triangles as polygons, segments as lines. Where there
+/// are neither triangles nor segments every point gets a vertex, so that a scan can be seen.
+void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> lines = {});
+
+/// The scan-point id of every point of `data`: its ScanPointId array, else 0, 1, 2, ...
+std::vector<vtkIdType> scanPointIdsOf(vtkPolyData& data);
+
+/// Sets the ScanPointId array of `output`.
+void setScanPointIds(vtkPolyData& output, std::span<const vtkIdType> ids);
+
+} // namespace scan::bridge
