@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/ply.h"
+
+#include "filters/base/error.h"
+#include "readers/coordinate_check.h"
+#include "readers/ply_body.h"
+#include "readers/ply_header.h"
+
+#include <array>
+#include <optional>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::uint64_t kStep = 1U << 16U;
+
+/// Fills a mesh from the values of a PLY file.
+template <class Body>
+class PlyLoader
+{
+public:
+  PlyLoader(const Source& source, const PlyHeader& header, Execution& execution)
+    : Input(source)
+    , Header(header)
+    , Run(execution)
+    , Values(source, header.size)
+  {
+  }
+
+  TriMesh load()
+  {
+    for (const PlyElement& element : this->Header.elements)
+    {
+      this->VertexCount = element.name == "vertex" ? element.count : this->VertexCount;
+    }
+    if (this->VertexCount >= kNone)
+    {
+      throw Error(ErrorCode::limit,
+        std::string(this->Input.name) + ": more than 4294967294 points; split the file");
+    }
+    for (const PlyElement& element : this->Header.elements)
+    {
+      this->checkCount(element);
+      if (element.name == "vertex")
+      {
+        this->loadVertices(element);
+      }
+      else if (element.name == "face" || element.name == "tristrips")
+      {
+        this->loadFaces(element);
+      }
+      else
+      {
+        this->forEach(element, [&] { this->skipAll(element); });
+      }
+    }
+    this->Check.finish(this->Input, this->Mesh.points.size(),
+      this->Header.encoding == PlyEncoding::ascii ? CoordinateCheck::Place::line
+                                                  : CoordinateCheck::Place::byte);
+    return std::move(this->Mesh);
+  }
+
+private:
+  /// No storage is reserved for elements that cannot be in the file.
+  void checkCount(const PlyElement& element) const
+  {
+    if (!element.properties.empty() && element.count > this->Values.left(PlyType::uint8))
+    {
+      this->Values.fail("the header announces " + std::to_string(element.count) + " of '" +
+        element.name + "', more than the file can hold; it is truncated");
+    }
+  }
+
+  template <class Read>
+  void forEach(const PlyElement& element, const Read& read)
+  {
+    if (element.properties.empty())
+    {
+      return;
+    }
+    for (std::uint64_t i = 0; i < element.count; ++i)
+    {
+      if (i % kStep == 0)
+      {
+        this->Run.step("read",
+          static_cast<std::size_t>(this->Values.position() - this->Input.begin()),
+          this->Input.bytes.size());
+      }
+      read();
+    }
+  }
+
+  void skip(const PlyProperty& property)
+  {
+    this->Values.skip(property.type, property.isList ? this->listLength(property) : 1);
+  }
+
+  void skipAll(const PlyElement& element)
+  {
+    for (const PlyProperty& property : element.properties)
+    {
+      this->skip(property);
+    }
+  }
+
+  std::uint64_t listLength(const PlyProperty& list)
+  {
+    const std::int64_t length = this->Values.integer(list.countType);
+    if (length < 0 || static_cast<std::uint64_t>(length) > this->Values.left(list.type))
+    {
+      this->Values.fail("a list of " + std::to_string(length) +
+        " values does not fit the file; it is truncated or malformed");
+    }
+    return static_cast<std::uint64_t>(length);
+  }
+
+  void loadVertices(const PlyElement& element)
+  {
+    const std::array<std::size_t, 3> axes = { element.find("x"), element.find("y"),
+      element.find("z") };
+    for (const std::size_t axis : axes)
+    {
+      if (axis == element.properties.size() || element.properties[axis].isList)
+      {
+        this->Input.fail("the element 'vertex' lacks one of the properties x, y, z");
+      }
+    }
+    this->Mesh.points.reserve(this->Mesh.points.size() + element.count);
+    this->forEach(element,
+      [&]
+      {
+        const char* const at = this->Values.position();
+        std::array<double, 3> point = {};
+        for (std::size_t p = 0; p < element.properties.size(); ++p)
+        {
+          const std::size_t axis = p == axes[0] ? 0 : p == axes[1] ? 1 : p == axes[2] ? 2 : 3;
+          if (axis < 3)
+          {
+            point[axis] = this->Values.real(element.properties[p].type);
+          }
+          else
+          {
+            this->skip(element.properties[p]);
+          }
+        }
+        this->Mesh.points.push_back({ point[0], point[1], point[2] });
+        this->Check.see(this->Mesh.points.back(), at);
+      });
+  }
+
+  void loadFaces(const PlyElement& element)
+  {
+    const std::size_t named = element.find("vertex_indices");
+    const std::size_t corners =
+      named < element.properties.size() ? named : element.find("vertex_index");
+    if (corners == element.properties.size() || !element.properties[corners].isList)
+    {
+      this->forEach(element, [&] { this->skipAll(element); });
+      return;
+    }
+    const bool isStrips = element.name == "tristrips";
+    this->Mesh.triangles.reserve(element.count);
+    this->forEach(element,
+      [&]
+      {
+        for (std::size_t p = 0; p < element.properties.size(); ++p)
+        {
+          if (p != corners)
+          {
+            this->skip(element.properties[p]);
+          }
+          else if (isStrips)
+          {
+            this->loadStrips(element.properties[p]);
+          }
+          else
+          {
+            this->loadPolygon(element.properties[p]);
+          }
+        }
+      });
+  }
+
+  void loadPolygon(const PlyProperty& list)
+  {
+    const std::uint64_t length = this->listLength(list);
+    Triangle fan = {};
+    for (std::uint64_t i = 0; i < length; ++i)
+    {
+      const Index corner = this->vertexIndex(this->Values.integer(list.type));
+      fan[i == 0 ? 0 : 1] = i < 2 ? corner : fan[2];
+      fan[2] = corner;
+      if (i >= 2)
+      {
+        this->Mesh.triangles.push_back(fan);
+      }
+    }
+  }
+
+  void loadStrips(const PlyProperty& list)
+  {
+    const std::uint64_t length = this->listLength(list);
+    Triangle last = {};
+    std::uint64_t used = 0; // corners of the current strip
+    for (std::uint64_t i = 0; i < length; ++i)
+    {
+      const std::int64_t value = this->Values.integer(list.type);
+      if (value == -1)
+      {
+        used = 0;
+        continue;
+      }
+      last = { last[1], last[2], this->vertexIndex(value) };
+      if (++used >= 3)
+      {
+        this->Mesh.triangles.push_back(
+          used % 2 == 1 ? last : Triangle{ last[1], last[0], last[2] });
+      }
+    }
+  }
+
+  Index vertexIndex(std::int64_t value) const
+  {
+    if (value < 0 || static_cast<std::uint64_t>(value) >= this->VertexCount)
+    {
+      this->Values.fail("a face refers to vertex " + std::to_string(value) + ", but there are " +
+        std::to_string(this->VertexCount) + ", counted from 0");
+    }
+    return static_cast<Index>(value);
+  }
+
+  const Source& Input;
+  const PlyHeader& Header;
+  Execution& Run;
+  Body Values;
+  std::uint64_t VertexCount = 0;
+  TriMesh Mesh;
+  CoordinateCheck Check;
+};
+
+} // namespace
+
+TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  const Source source{ name, bytes };
+  const PlyHeader header = parsePlyHeader(source);
+  switch (header.encoding)
+  {
+    case PlyEncoding::littleEndian:
+      return PlyLoader<PlyBinaryBody<std::endian::little>>(source, header, execution).load();
+    case PlyEncoding::bigEndian:
+      return PlyLoader<PlyBinaryBody<std::endian::big>>(source, header, execution).load();
+    case PlyEncoding::ascii:
+      break;
+  }
+  return PlyLoader<PlyAsciiBody>(source, header, execution).load();
+}
+
+bool looksLikePly(std::span<const char> head)
+{
+  return head.size() >= 4 && head[0] == 'p' && head[1] == 'l' && head[2] == 'y' &&
+    isLineEnd(head[3]);
+}
+
+} // namespace scan

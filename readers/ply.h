@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/mesh.h"
+
+#include <span>
+#include <string_view>
+
+namespace scan
+{
+
+/// Reads a Polygon File Format file, ascii or binary of either byte order.
+///
+/// The element "vertex" needs the properties x, y and z of any type. Lists named vertex_indices or
+/// vertex_index give polygons in "face", which become fans, and strips in "tristrips", where -1
+/// starts a new strip. Faces of fewer than three corners are left out. Every other element and
+/// property is skipped, so the Stanford range scans load.
+///
+/// Throws Error parse, with line or byte, for a malformed or truncated file, for indices without a
+/// vertex and for coordinates that are not finite or exceed 1e50; Error limit for 2^32 - 1 points.
+/// Phase "read".
+TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution);
+
+/// Whether the file is of this format.
+bool looksLikePly(std::span<const char> head);
+
+} // namespace scan

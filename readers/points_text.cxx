@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/points_text.h"
+
+#include "filters/base/error.h"
+#include "readers/coordinate_check.h"
+#include "readers/text_scanner.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::size_t kChunkBytes = std::size_t(1) << 20U;
+constexpr std::size_t kShortestLine = 6; // "0 0 0\n"
+
+/// What a line holds, from its start.
+enum class LineKind
+{
+  point,
+  skip,  // blank or comment
+  words, // starts with a word
+  count, // one number
+  broken
+};
+
+/// The points of one part of the text, or where it stops being a list of points.
+struct Chunk
+{
+  const char* begin = nullptr;
+  const char* end = nullptr;
+  std::vector<Vec3> points;
+  CoordinateCheck check;
+  const char* broken = nullptr;
+};
+
+bool isComment(const char* at, const char* end)
+{
+  return *at == '#' || *at == '!' || *at == '%' || (*at == '/' && at + 1 != end && at[1] == '/');
+}
+
+bool isColumnEnd(const char* at, const char* end)
+{
+  return at == end || isSeparator(*at) || isLineEnd(*at);
+}
+
+const char* skipSeparator(const char* at, const char* end)
+{
+  at = skipBlanks(at, end);
+  if (at != end && (*at == ',' || *at == ';'))
+  {
+    at = skipBlanks(at + 1, end);
+  }
+  return at;
+}
+
+/// A column that holds a number; nullptr when it does not.
+const char* parseColumn(const char* at, const char* end, double& value)
+{
+  at = parseNumber(at, end, value);
+  return at != nullptr && isColumnEnd(at, end) ? at : nullptr;
+}
+
+/// Reads the line at `at`, which is not the end, and leaves `at` in it, behind what was read.
+LineKind readLine(const char*& at, const char* end, Vec3& point)
+{
+  at = skipBlanks(at, end);
+  if (at == end || isLineEnd(*at) || isComment(at, end))
+  {
+    return LineKind::skip;
+  }
+  if (*at == 'p' && at + 1 != end && isBlank(at[1]))
+  {
+    at = skipBlanks(at + 1, end);
+  }
+  const char* const x = parseColumn(at, end, point.x);
+  if (x == nullptr)
+  {
+    const bool isNumber = isDigit(*at) || *at == '-' || *at == '+' || *at == '.';
+    return isNumber ? LineKind::broken : LineKind::words;
+  }
+  const char* const second = skipSeparator(x, end);
+  if (second == end || isLineEnd(*second))
+  {
+    return LineKind::count;
+  }
+  const char* const y = parseColumn(second, end, point.y);
+  const char* const z = y != nullptr ? parseColumn(skipSeparator(y, end), end, point.z) : nullptr;
+  at = z != nullptr ? z : at;
+  return z != nullptr ? LineKind::point : LineKind::broken;
+}
+
+/// "1,5;2,5;3,5" would silently become the point 1 5 2.
+bool hasDecimalCommas(const char* line, const char* end)
+{
+  int columns = 0;
+  bool hasComma = false;
+  while (columns < 3)
+  {
+    line = std::find_if_not(line, end, [](char c) { return isBlank(c) || c == ';'; });
+    const char* const stop =
+      std::find_if(line, end, [](char c) { return isBlank(c) || c == ';' || isLineEnd(c); });
+    const std::string_view column(line, static_cast<std::size_t>(stop - line));
+    const std::size_t comma = column.find(',');
+    if (column.empty() || column.find_first_not_of("+-0123456789eE,.") != column.npos ||
+      (comma != column.npos &&
+        (column.find(',', comma + 1) != column.npos || comma == 0 || comma + 1 == column.size())))
+    {
+      return false;
+    }
+    hasComma = hasComma || comma != column.npos;
+    line = stop;
+    ++columns;
+  }
+  return hasComma;
+}
+
+[[noreturn]] void failAtBrokenLine(const Source& source, const char* at)
+{
+  const char* const end = findLineEnd(at, source.end());
+  source.failAtLine(at,
+    "expected x y z, found " + quoted({ at, static_cast<std::size_t>(end - at) }) +
+      "; correct or remove the line");
+}
+
+/// The start of the first line that is a point.
+const char* skipHeader(const Source& source)
+{
+  const char* line = skipByteOrderMark(source);
+  while (line != source.end())
+  {
+    const char* at = line;
+    Vec3 point;
+    const LineKind kind = readLine(at, source.end(), point);
+    if (kind == LineKind::broken ||
+      (kind == LineKind::point && hasDecimalCommas(line, source.end())))
+    {
+      if (hasDecimalCommas(line, source.end()))
+      {
+        source.failAtLine(line, "the numbers have decimal commas; export them with decimal points");
+      }
+      failAtBrokenLine(source, line);
+    }
+    if (kind == LineKind::point)
+    {
+      return line;
+    }
+    line = nextLine(at, source.end());
+  }
+  source.fail("no point found; a vertex list has lines that start with three numbers");
+}
+
+/// Never throws: the storage is reserved.
+void readChunk(Chunk& chunk, bool isLettered)
+{
+  const char* at = chunk.begin;
+  while (at != chunk.end)
+  {
+    const char* const line = at;
+    Vec3 point;
+    const LineKind kind = readLine(at, chunk.end, point);
+    if (kind == LineKind::point)
+    {
+      chunk.points.push_back(point);
+      chunk.check.see(point, line);
+    }
+    else if (kind != LineKind::skip && !(isLettered && kind == LineKind::words))
+    {
+      chunk.broken = line;
+      return;
+    }
+    at = nextLine(at, chunk.end);
+  }
+}
+
+/// Up to `count` chunks from `at` on, each of whole lines.
+std::vector<Chunk> cutChunks(const char* at, const char* end, std::size_t count)
+{
+  std::vector<Chunk> chunks;
+  while (at != end && chunks.size() < count)
+  {
+    Chunk chunk;
+    chunk.begin = at;
+    const auto rest = static_cast<std::size_t>(end - at);
+    chunk.end = rest > kChunkBytes ? nextLine(at + kChunkBytes, end) : end;
+    chunk.points.reserve(static_cast<std::size_t>(chunk.end - at) / kShortestLine + 1);
+    at = chunk.end;
+    chunks.push_back(std::move(chunk));
+  }
+  return chunks;
+}
+
+std::size_t countLines(const char* begin, const char* end)
+{
+  const auto bytes = static_cast<std::size_t>(end - begin);
+  const auto feeds = static_cast<std::size_t>(std::count(begin, end, '\n'));
+  const auto lines = feeds > 0 ? feeds : static_cast<std::size_t>(std::count(begin, end, '\r'));
+  return std::min(lines, bytes / kShortestLine) + 1;
+}
+
+} // namespace
+
+TriMesh parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  const Source source{ name, bytes };
+  const char* at = skipHeader(source);
+  const bool isLettered = *skipBlanks(at, source.end()) == 'p';
+  TriMesh mesh;
+  mesh.points.reserve(countLines(at, source.end()));
+  CoordinateCheck check;
+  while (at != source.end())
+  {
+    execution.step("read", static_cast<std::size_t>(at - source.begin()), bytes.size());
+    std::vector<Chunk> chunks = cutChunks(at, source.end(), execution.threads());
+    execution.parallelFor(chunks.size(), 1,
+      [&](std::size_t begin, std::size_t end)
+      {
+        std::for_each(chunks.data() + begin, chunks.data() + end,
+          [&](Chunk& chunk) { readChunk(chunk, isLettered); });
+      });
+    for (const Chunk& chunk : chunks)
+    {
+      if (chunk.broken != nullptr)
+      {
+        failAtBrokenLine(source, chunk.broken);
+      }
+      mesh.points.insert(mesh.points.end(), chunk.points.begin(), chunk.points.end());
+      check.append(chunk.check);
+    }
+    at = chunks.back().end;
+  }
+  if (mesh.points.size() >= kNone)
+  {
+    throw Error(ErrorCode::limit,
+      std::string(name) + ": more than 4294967294 points; split or thin the list");
+  }
+  check.finish(source, mesh.points.size(), CoordinateCheck::Place::line);
+  return mesh;
+}
+
+bool looksLikePointsText(std::span<const char> head)
+{
+  const bool isBinary = std::find(head.begin(), head.end(), '\0') != head.end();
+  try
+  {
+    return !head.empty() && !isBinary && skipHeader({ "head", head }) != nullptr;
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
+}
+
+} // namespace scan

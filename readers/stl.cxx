@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/stl.h"
+
+#include "readers/coordinate_check.h"
+#include "readers/text_scanner.h"
+#include "readers/vertex_welder.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace scan
+{
+namespace
+{
+
+static_assert(std::endian::native == std::endian::little, "binary STL is read in place");
+
+constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kFacetBytes = 50;
+constexpr std::size_t kStepFacets = 1U << 15U;
+
+std::uint64_t announcedFacets(std::span<const char> bytes)
+{
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + kHeaderBytes - sizeof(count), sizeof(count));
+  return count;
+}
+
+Vec3 readVector(const char* at)
+{
+  std::array<float, 3> v = {};
+  std::memcpy(v.data(), at, sizeof(v));
+  return { v[0], v[1], v[2] };
+}
+
+char lower(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Whether the text at `at` is the keyword, which is in lower case, as a whole word.
+bool isKeyword(const char* at, const char* end, std::string_view keyword)
+{
+  for (const char expected : keyword)
+  {
+    if (at == end || lower(*at) != expected)
+    {
+      return false;
+    }
+    ++at;
+  }
+  return at == end || isBlank(*at) || isLineEnd(*at);
+}
+
+/// "solid" and then text: binary headers say "solid" too, but facets are full of other bytes.
+bool looksLikeText(std::span<const char> bytes)
+{
+  const std::span<const char> head = bytes.first(std::min<std::size_t>(bytes.size(), 512));
+  const char* const end = head.data() + head.size();
+  return isKeyword(skipSpace(head.data(), end), end, "solid") &&
+    std::find(head.begin(), head.end(), '\0') == head.end();
+}
+
+/// The corners of facets, one after the other.
+class FacetSink
+{
+public:
+  explicit FacetSink(std::size_t facets)
+    : Welder(this->Mesh.points, facets / 2)
+  {
+    this->Mesh.triangles.reserve(facets);
+  }
+
+  Index corner(const Vec3& point, const char* at)
+  {
+    this->Check.see(point, at);
+    ++this->Corners;
+    return this->Welder.add(point);
+  }
+
+  void facet(const Triangle& triangle) { this->Mesh.triangles.push_back(triangle); }
+
+  TriMesh finish(const Source& source, CoordinateCheck::Place place)
+  {
+    this->Check.finish(source, this->Corners, place);
+    return std::move(this->Mesh);
+  }
+
+private:
+  TriMesh Mesh;
+  VertexWelder Welder;
+  CoordinateCheck Check;
+  std::size_t Corners = 0;
+};
+
+TriMesh parseBinary(const Source& source, Execution& execution)
+{
+  if (source.bytes.size() < kHeaderBytes)
+  {
+    source.fail("the file is too short for a binary STL header and no ascii STL; it is truncated");
+  }
+  const std::uint64_t count = announcedFacets(source.bytes);
+  const std::size_t complete = (source.bytes.size() - kHeaderBytes) / kFacetBytes;
+  if (count > complete)
+  {
+    source.failAtByte(source.end(),
+      "the file ends after " + std::to_string(complete) + " of " + std::to_string(count) +
+        " facets; it is truncated or no STL file");
+  }
+  FacetSink sink(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i % kStepFacets == 0)
+    {
+      execution.step("read", i, count);
+    }
+    const char* const corners = source.begin() + kHeaderBytes + i * kFacetBytes + 12;
+    Triangle triangle = {};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      triangle[k] = sink.corner(readVector(corners + 12 * k), corners + 12 * k);
+    }
+    sink.facet(triangle);
+  }
+  return sink.finish(source, CoordinateCheck::Place::byte);
+}
+
+/// Reads the words of an ascii file; names of solids are skipped with their line.
+class AsciiReader
+{
+public:
+  AsciiReader(const Source& source, Execution& execution)
+    : Text(source)
+    , Run(execution)
+    , Sink(source.bytes.size() / 200) // a facet takes about 250 characters
+  {
+  }
+
+  TriMesh read()
+  {
+    const char* const end = this->Text.end();
+    std::size_t facets = 0;
+    const char* at = skipSpace(this->Text.begin(), end);
+    while (at != end)
+    {
+      if (isKeyword(at, end, "facet"))
+      {
+        if (facets++ % kStepFacets == 0)
+        {
+          this->Run.step(
+            "read", static_cast<std::size_t>(at - this->Text.begin()), this->Text.bytes.size());
+        }
+        at = this->readFacet(at);
+      }
+      else if (isKeyword(at, end, "solid") || isKeyword(at, end, "endsolid"))
+      {
+        at = nextLine(at, end);
+      }
+      else
+      {
+        this->fail(at, "'facet' or 'endsolid'");
+      }
+      at = skipSpace(at, end);
+    }
+    return this->Sink.finish(this->Text, CoordinateCheck::Place::line);
+  }
+
+private:
+  const char* readFacet(const char* at)
+  {
+    Vec3 normal;
+    Triangle triangle = {};
+    at = this->vector(this->keyword(this->keyword(at, "facet"), "normal"), normal);
+    at = this->keyword(this->keyword(at, "outer"), "loop");
+    for (Index& corner : triangle)
+    {
+      Vec3 point;
+      const char* const line = at;
+      at = this->vector(this->keyword(at, "vertex"), point);
+      corner = this->Sink.corner(point, line);
+    }
+    this->Sink.facet(triangle);
+    return this->keyword(this->keyword(at, "endloop"), "endfacet");
+  }
+
+  const char* keyword(const char* at, std::string_view expected) const
+  {
+    if (!isKeyword(at, this->Text.end(), expected))
+    {
+      this->fail(at, "'" + std::string(expected) + "'");
+    }
+    return skipSpace(at + expected.size(), this->Text.end());
+  }
+
+  const char* vector(const char* at, Vec3& value) const
+  {
+    for (double* const coordinate : { &value.x, &value.y, &value.z })
+    {
+      const char* const stop = parseNumber(at, this->Text.end(), *coordinate);
+      if (stop == nullptr || (stop != this->Text.end() && !isBlank(*stop) && !isLineEnd(*stop)))
+      {
+        this->fail(at, "a number");
+      }
+      at = skipSpace(stop, this->Text.end());
+    }
+    return at;
+  }
+
+  [[noreturn]] void fail(const char* at, const std::string& expected) const
+  {
+    const std::string_view found = word(at, this->Text.end());
+    this->Text.failAtLine(at,
+      "expected " + expected + ", found " +
+        (found.empty() ? "the end of the file; it is truncated" : quoted(found)));
+  }
+
+  const Source& Text;
+  Execution& Run;
+  FacetSink Sink;
+};
+
+} // namespace
+
+TriMesh parseStl(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  const Source source{ name, bytes };
+  const bool isExactlyBinary = bytes.size() >= kHeaderBytes &&
+    bytes.size() == kHeaderBytes + announcedFacets(bytes) * kFacetBytes;
+  if (!isExactlyBinary && looksLikeText(bytes))
+  {
+    return AsciiReader(source, execution).read();
+  }
+  return parseBinary(source, execution);
+}
+
+bool looksLikeStl(std::span<const char> head)
+{
+  if (looksLikeText(head))
+  {
+    return true;
+  }
+  if (head.size() < kHeaderBytes + kFacetBytes || announcedFacets(head) == 0)
+  {
+    return false;
+  }
+  const Vec3 normal = readVector(head.data() + kHeaderBytes);
+  const double length = dot(normal, normal);
+  bool isFinite = true;
+  for (std::size_t k = 1; k <= 3; ++k)
+  {
+    const Vec3 corner = readVector(head.data() + kHeaderBytes + 12 * k);
+    isFinite = isFinite && dot(corner, corner) < 1e60; // false for NaN
+  }
+  return isFinite && (length == 0.0 || std::abs(length - 1.0) < 0.1);
+}
+
+} // namespace scan

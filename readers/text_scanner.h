@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "readers/source.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+/// Scanning of text in memory, always in the "C" locale. Lines end with LF, CRLF or CR. All
+/// functions take [at, end) and never read beyond end; the text need not end with a line end.
+namespace scan
+{
+
+inline bool isBlank(char c)
+{
+  return c == ' ' || c == '\t';
+}
+
+inline bool isLineEnd(char c)
+{
+  return c == '\n' || c == '\r';
+}
+
+/// A character that may stand between two columns.
+inline bool isSeparator(char c)
+{
+  return isBlank(c) || c == ',' || c == ';';
+}
+
+inline bool isDigit(char c)
+{
+  return static_cast<unsigned char>(c - '0') < 10;
+}
+
+inline const char* skipBlanks(const char* at, const char* end)
+{
+  while (at != end && isBlank(*at))
+  {
+    ++at;
+  }
+  return at;
+}
+
+/// Blanks and line ends.
+inline const char* skipSpace(const char* at, const char* end)
+{
+  while (at != end && (isBlank(*at) || isLineEnd(*at)))
+  {
+    ++at;
+  }
+  return at;
+}
+
+/// The line end at or behind `at`, or end.
+inline const char* findLineEnd(const char* at, const char* end)
+{
+  while (at != end && !isLineEnd(*at))
+  {
+    ++at;
+  }
+  return at;
+}
+
+/// The start of the next line, or end.
+inline const char* nextLine(const char* at, const char* end)
+{
+  at = findLineEnd(at, end);
+  if (at != end && *at == '\r')
+  {
+    ++at;
+    return at != end && *at == '\n' ? at + 1 : at;
+  }
+  return at != end ? at + 1 : at;
+}
+
+/// The characters up to the next blank or line end.
+inline std::string_view word(const char* at, const char* end)
+{
+  const char* stop = std::find_if(at, end, [](char c) { return isBlank(c) || isLineEnd(c); });
+  return { at, static_cast<std::size_t>(stop - at) };
+}
+
+/// The number of the line that `at` lies in, from 1.
+std::size_t lineNumber(const char* begin, const char* at);
+
+/// A quoted excerpt for messages: unprintable characters shown as '?', long text cut.
+std::string quoted(std::string_view text);
+
+/// The first byte behind a UTF-8 byte order mark; throws Error parse for UTF-16 text.
+const char* skipByteOrderMark(const Source& source);
+
+/// parseNumber for the rare cases: many digits, large exponents, inf and nan.
+const char* parseAnyNumber(const char* at, const char* end, double& value);
+
+/// Parses a decimal number, correctly rounded: an optional sign, digits with an optional point,
+/// an optional exponent; also inf and nan in any case. Too large is infinity, too small is 0.
+/// @return the character behind the number, nullptr when there is none
+inline const char* parseNumber(const char* at, const char* end, double& value)
+{
+  // Up to 2^53 the mantissa is exact, and so are powers of ten up to 10^22: one rounding.
+  constexpr double kPowers[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+    1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+  const char* const start = at;
+  const bool negative = at != end && *at == '-';
+  at += at != end && (*at == '-' || *at == '+');
+  std::uint64_t mantissa = 0;
+  const char* const whole = at;
+  for (; at != end && isDigit(*at); ++at)
+  {
+    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+  }
+  std::ptrdiff_t digits = at - whole;
+  std::ptrdiff_t decimals = 0;
+  if (at != end && *at == '.')
+  {
+    const char* const fraction = ++at;
+    for (; at != end && isDigit(*at); ++at)
+    {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+    }
+    decimals = at - fraction;
+    digits += decimals;
+  }
+  const bool hasExponent = at != end && (*at == 'e' || *at == 'E');
+  if (digits == 0 || digits > 19 || hasExponent || decimals > 22 || mantissa > (1ULL << 53U))
+  {
+    return parseAnyNumber(start, end, value);
+  }
+  const double magnitude = static_cast<double>(mantissa) / kPowers[decimals];
+  value = negative ? -magnitude : magnitude;
+  return at;
+}
+
+} // namespace scan

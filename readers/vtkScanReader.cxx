@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/vtkScanReader.h"
+
+#include "filters/base/vtkScanMeshBridge.h"
+#include "readers/mapped_file.h"
+
+#include <vtkPolyData.h>
+
+void vtkScanReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static constexpr const char* kNames[] = { "automatic", "points", "mesh" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReadAs: " << kNames[static_cast<int>(this->ReadAs)] << "\n";
+}
+
+int vtkScanReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return this->RunGuarded(*this, output,
+    [&](scan::Execution& execution) { scan::bridge::setMesh(*output, this->Read(execution)); });
+}
+
+scan::TriMesh vtkScanReader::Read(scan::Execution& execution) const
+{
+  if (this->FileName == nullptr)
+  {
+    throw scan::Error(scan::ErrorCode::badParameter, "no file name; set FileName");
+  }
+  execution.plan({ { "read", 1.0 } });
+  const scan::MappedFile file(this->FileName);
+  scan::TriMesh mesh = this->Parse(file.bytes(), file.name(), execution);
+  if (this->ReadAs == Content::points)
+  {
+    mesh.triangles.clear();
+  }
+  if (this->ReadAs == Content::mesh && mesh.triangles.empty())
+  {
+    throw scan::Error(
+      scan::ErrorCode::badInput, file.name() + ": no triangles; read the file as points");
+  }
+  return mesh;
+}

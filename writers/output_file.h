@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scan
+{
+
+/// A file that appears under its name only when it is complete.
+///
+/// Bytes go to NAME.part-XXXXXX beside the target, in large blocks; commit() makes them durable and
+/// renames. Without commit() the destructor removes the part, and a target that was there stays as
+/// it was. A target's permissions and symbolic links are kept. "-" is standard output; it and
+/// devices and pipes are written directly.
+///
+/// Every function but the destructor throws Error io: missing folder, no permission, disk full.
+class OutputFile
+{
+public:
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view bytes)
+  {
+    if (bytes.size() > this->Buffer.capacity() - this->Buffer.size())
+    {
+      this->flush();
+    }
+    this->Buffer.insert(this->Buffer.end(), bytes.begin(), bytes.end());
+  }
+
+  /// Once, after the last write.
+  void commit();
+
+  /// The path, or "standard output".
+  const std::string& name() const { return this->Name; }
+
+private:
+  void openPart();
+  void flush();
+  [[noreturn]] void fail(int error) const;
+
+  std::string Name;
+  std::string Target; // behind symbolic links; empty when written directly
+  std::string Part;   // while it exists
+  int Descriptor = -1;
+  std::vector<char> Buffer;
+};
+
+} // namespace scan

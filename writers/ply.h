@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/mesh.h"
+#include "writers/encoding.h"
+#include "writers/output_file.h"
+
+namespace scan
+{
+
+struct PlyOptions
+{
+  /// Binary is little endian.
+  Encoding encoding = Encoding::binary;
+};
+
+/// Writes points and triangles as PLY, without loss; the caller commits the file.
+///
+/// Coordinates are declared "float" when float32 holds every coordinate of the model exactly, else
+/// "double"; a file never mixes both. Triangles are "list uchar int", "uint" beyond 2^31 points; a
+/// scan has no element "face". The same mesh gives the same bytes. Phase "write".
+void writePly(
+  const TriMesh& mesh, const PlyOptions& options, OutputFile& file, Execution& execution);
+
+} // namespace scan

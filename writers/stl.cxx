@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/stl.h"
+
+#include "filters/base/error.h"
+#include "writers/text_line.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace scan
+{
+namespace
+{
+
+static_assert(std::endian::native == std::endian::little, "binary STL is written in place");
+
+constexpr std::size_t kStep = 1U << 15U;
+
+Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 normal = cross(b - a, c - a);
+  const double length = std::sqrt(dot(normal, normal));
+  return length > 0.0 ? normal * (1.0 / length) : Vec3{};
+}
+
+void checkFloatRange(const TriMesh& mesh, const OutputFile& file)
+{
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  for (const Vec3& point : mesh.points)
+  {
+    if (std::abs(point.x) > kLargest || std::abs(point.y) > kLargest ||
+      std::abs(point.z) > kLargest)
+    {
+      throw Error(ErrorCode::limit,
+        file.name() + ": a coordinate exceeds 3.4e38, the limit of binary STL; write ascii");
+    }
+  }
+}
+
+void writeBinary(const TriMesh& mesh, OutputFile& file, Execution& execution)
+{
+  std::string header = "binary STL by Scanwrap";
+  header.resize(80, ' ');
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  header.append(reinterpret_cast<const char*>(&count), sizeof(count));
+  file.write(header);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (i % kStep == 0)
+    {
+      execution.step("write", i, mesh.triangles.size());
+    }
+    const auto& [a, b, c] = mesh.triangles[i];
+    const std::array<Vec3, 4> vectors = { normalOf(mesh.points[a], mesh.points[b], mesh.points[c]),
+      mesh.points[a], mesh.points[b], mesh.points[c] };
+    std::array<char, 50> record = {}; // ends with two bytes of attributes, 0
+    char* at = record.data();
+    for (const Vec3& v : vectors)
+    {
+      const std::array<float, 3> single = { static_cast<float>(v.x), static_cast<float>(v.y),
+        static_cast<float>(v.z) };
+      std::memcpy(at, single.data(), sizeof(single));
+      at += sizeof(single);
+    }
+    file.write({ record.data(), record.size() });
+  }
+}
+
+std::string_view put(TextLine& line, const Vec3& v)
+{
+  return line.number(v.x).number(v.y).number(v.z).text("\n");
+}
+
+void writeAscii(const TriMesh& mesh, OutputFile& file, Execution& execution)
+{
+  file.write("solid Scanwrap\n");
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (i % kStep == 0)
+    {
+      execution.step("write", i, mesh.triangles.size());
+    }
+    const auto& [a, b, c] = mesh.triangles[i];
+    TextLine facet("facet normal");
+    file.write(put(facet, normalOf(mesh.points[a], mesh.points[b], mesh.points[c])));
+    file.write("outer loop\n");
+    for (const Index corner : mesh.triangles[i])
+    {
+      TextLine vertex("vertex");
+      file.write(put(vertex, mesh.points[corner]));
+    }
+    file.write("endloop\nendfacet\n");
+  }
+  file.write("endsolid Scanwrap\n");
+}
+
+} // namespace
+
+void writeStl(
+  const TriMesh& mesh, const StlOptions& options, OutputFile& file, Execution& execution)
+{
+  if (mesh.triangles.empty())
+  {
+    throw Error(ErrorCode::badInput,
+      file.name() + ": no triangles to write; STL holds surfaces, write points as PLY or OBJ");
+  }
+  if (options.encoding == Encoding::ascii)
+  {
+    writeAscii(mesh, file, execution);
+    return;
+  }
+  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw Error(ErrorCode::limit,
+      file.name() + ": more than 4294967295 triangles, the limit of binary STL; decimate");
+  }
+  checkFloatRange(mesh, file);
+  writeBinary(mesh, file, execution);
+}
+
+} // namespace scan

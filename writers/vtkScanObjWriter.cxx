@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/vtkScanObjWriter.h"
+
+#include "writers/obj.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkScanObjWriter);
+
+void vtkScanObjWriter::Format(
+  const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const
+{
+  scan::writeObj(mesh, file, execution);
+}

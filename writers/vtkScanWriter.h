@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ScanWritersModule.h" // export macro
+#include "filters/base/vtkScanTask.h"
+#include "filters/geometry/mesh.h"
+#include "writers/encoding.h"
+
+#include <vtkWriter.h>
+
+#include <string>
+
+namespace scan
+{
+class OutputFile;
+}
+
+/// Base of the writers of vtkPolyData: guards the formatter; the file appears under its name only
+/// when it is complete. A subclass names its formatter in Format(). FileName "-" is standard
+/// output.
+class SCANWRITERS_EXPORT vtkScanWriter
+  : public vtkWriter
+  , public vtkScanTask
+{
+public:
+  vtkTypeMacro(vtkScanWriter, vtkWriter);
+  vtkScanWriter(const vtkScanWriter&) = delete;
+  void operator=(const vtkScanWriter&) = delete;
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to write; a file of that name is replaced.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// Binary or ascii, where the format has both. Default: binary.
+  vtkSetEnumMacro(Encoding, scan::Encoding);
+  vtkGetEnumMacro(Encoding, scan::Encoding);
+  ///@}
+
+  /// @return 1 when the file is there, 0 after a failure or a cancel
+  int Write() override;
+
+protected:
+  vtkScanWriter() = default;
+  ~vtkScanWriter() override;
+
+  /// Writes the mesh without committing the file. Throws scan::Error. Phase "write".
+  virtual void Format(
+    const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const = 0;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) final;
+  void WriteData() final;
+
+  char* FileName = nullptr;
+  scan::Encoding Encoding = scan::Encoding::binary;
+};
