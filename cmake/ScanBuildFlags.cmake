@@ -1,9 +1,17 @@
 # SPDX-FileCopyrightText: The Scanwrap authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Warnings, sanitizers and floating-point rules, linked PRIVATE by every target of the project.
+# Build types, and the warnings, sanitizers and floating-point rules that every target of the
+# project links PRIVATE.
 option(SCAN_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 set(SCAN_SANITIZE "" CACHE STRING "Sanitizers for all targets, e.g. address,undefined")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+foreach(language C CXX) # Dev: fast enough for real data, with assertions
+  set(CMAKE_${language}_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the build type Dev")
+endforeach()
 
 add_library(scan_build_flags INTERFACE)
 target_compile_options(scan_build_flags INTERFACE

@@ -6,7 +6,9 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <thread>
@@ -61,31 +63,30 @@ void Execution::step(std::string_view phase, std::size_t done, std::size_t total
 void Execution::parallelFor(std::size_t n, std::size_t grain,
   const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
-  const auto guarded = [&](std::size_t begin, std::size_t end)
-  {
-    if (!this->cancelled())
-    {
-      body(begin, end);
-    }
-  };
   grain = std::max<std::size_t>(grain, 1);
   if (this->Threads == 1 || n <= grain)
   {
-    for (std::size_t begin = 0; begin < n; begin += grain)
+    for (std::size_t begin = 0; begin < n && !this->cancelled(); begin += grain)
     {
-      guarded(begin, std::min(n, begin + grain));
+      body(begin, std::min(n, begin + grain));
     }
   }
   else
   {
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::task_group_context context;
+    const auto guarded = [&](const Range& range)
+    {
+      if (this->cancelled())
+      {
+        context.cancel_group_execution();
+        return;
+      }
+      body(range.begin(), range.end());
+    };
     tbb::task_arena arena(static_cast<int>(this->Threads));
     arena.execute(
-      [&]
-      {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-          [&](const tbb::blocked_range<std::size_t>& range)
-          { guarded(range.begin(), range.end()); });
-      });
+      [&] { tbb::parallel_for(Range(0, n, grain), guarded, tbb::simple_partitioner(), context); });
   }
   if (this->cancelled())
   {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ScanFiltersModule.h" // export macro
 #include "filters/base/vtkScanTask.h"
 
 #include <vtkPolyDataAlgorithm.h>
 
 /// Base of the filters from vtkPolyData to vtkPolyData: a subclass writes Run() and may throw;
 /// progress, cancel and errors are taken care of here.
-class vtkScanPolyDataFilter
+class SCANFILTERS_EXPORT vtkScanPolyDataFilter
   : public vtkPolyDataAlgorithm
   , public vtkScanTask
 {

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/vtkScanPolyDataFilter.h"
+#include "filters/geometry/wrap.h"
+
+/// Surface of a scan from its points alone: no normals, no density, no parameter to set.
+///
+/// The points of the input are used, its cells are not. The output has the triangles, in classic
+/// mode the left-over lines, and the ScanPointId array; other arrays of the input are dropped.
+/// See scan::wrap for the guarantees.
+class SCANFILTERS_EXPORT vtkScanWrapFilter : public vtkScanPolyDataFilter
+{
+public:
+  static vtkScanWrapFilter* New();
+  vtkTypeMacro(vtkScanWrapFilter, vtkScanPolyDataFilter);
+  vtkScanWrapFilter(const vtkScanWrapFilter&) = delete;
+  void operator=(const vtkScanWrapFilter&) = delete;
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModeType
+  {
+    AUTOMATIC, ///< the finished surface (default)
+    CLASSIC    ///< the initial Wrap complex, the start for pushing by hand
+  };
+  vtkSetEnumMacro(Mode, ModeType);
+  vtkGetEnumMacro(Mode, ModeType);
+
+  enum FitType
+  {
+    ALL,   ///< through as many points as possible (default)
+    ROBUST ///< smoother on noisy scans
+  };
+  vtkSetEnumMacro(Fit, FitType);
+  vtkGetEnumMacro(Fit, FitType);
+
+  /// Split non-manifold edges and vertices into separate sheets. Default: true.
+  vtkSetMacro(Manifold, bool);
+  vtkGetMacro(Manifold, bool);
+  vtkBooleanMacro(Manifold, bool);
+
+  /// What the last run did with the points.
+  const scan::WrapReport& GetReport() const { return this->Report; }
+
+protected:
+  vtkScanWrapFilter() = default;
+  ~vtkScanWrapFilter() override = default;
+
+  void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) override;
+
+private:
+  ModeType Mode = AUTOMATIC;
+  FitType Fit = ALL;
+  bool Manifold = true;
+  scan::WrapReport Report;
+};
