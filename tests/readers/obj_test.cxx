@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/obj.h"
+
+#include "tests/readers/parsing.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using scan::Triangle;
+using scan::TriMesh;
+using scan::Vec3;
+
+TriMesh parse(std::string_view text)
+{
+  return scan::test::parse(scan::parseObj, text);
+}
+
+std::string error(std::string_view text)
+{
+  return scan::test::parseError(scan::parseObj, text);
+}
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::vector<Triangle> kFan = { { 0, 1, 2 }, { 0, 2, 3 } };
+
+} // namespace
+
+TEST(Obj, AcceptsEveryFormOfCorner)
+{
+  EXPECT_EQ(parse(kSquare + "f 1 2 3 4\n").triangles, kFan);
+  EXPECT_EQ(parse(kSquare + "f 1/7 2/7 3/7 4/7\n").triangles, kFan);
+  EXPECT_EQ(parse(kSquare + "f 1//1 2//1 3//-1 4//1\n").triangles, kFan);
+  EXPECT_EQ(parse(kSquare + "f 1/2/3 2/2/3 3/-2/-3 4/2/ # quad\n").triangles, kFan);
+  EXPECT_EQ(parse(kSquare + "f -4 -3 -2 -1").triangles, kFan);
+}
+
+TEST(Obj, AcceptsFacesAheadOfTheirVertices)
+{
+  EXPECT_EQ(parse("f 1 2 3 4\n" + kSquare).triangles, kFan);
+}
+
+TEST(Obj, JoinsContinuedLines)
+{
+  EXPECT_EQ(parse(kSquare + "f 1 2 \\\n 3 4\n").triangles, kFan);
+  EXPECT_EQ(parse(kSquare + "f 1 2 3\\\r\n4\r\n").triangles, kFan);
+  EXPECT_EQ(parse("v 0 \\\n 1 2 \\\n 0.5 0.5 0.5\n").points, (std::vector<Vec3>{ { 0, 1, 2 } }));
+  EXPECT_EQ(parse("# C:\\models\\\nv 0 1 2\n").points.size(), 1U);
+}
+
+TEST(Obj, ReadsAScanOfVerticesOnly)
+{
+  const TriMesh mesh = parse("# scan\r\nvn 0 0 1\r\nv 1 2 3 0.5 0.5 nan\r\np 1\r\nl 1 1\r\n");
+  EXPECT_EQ(mesh.points, (std::vector<Vec3>{ { 1, 2, 3 } }));
+  EXPECT_TRUE(mesh.triangles.empty());
+}
+
+TEST(Obj, NamesTheLineOfAMissingVertex)
+{
+  EXPECT_EQ(error(kSquare + "f 1 2 3\nf 1 2 5\n"),
+    "file: line 6: a face refers to vertex 5, but there are 4, counted from 1");
+  EXPECT_NE(error(kSquare + "f 0 1 2\n").find("line 5"), std::string::npos);
+  EXPECT_NE(error(kSquare + "f -5 1 2\n").find("line 5"), std::string::npos);
+}
+
+TEST(Obj, NamesTheMalformedLine)
+{
+  EXPECT_NE(error(kSquare + "f 1 2 x\n").find("line 5: expected a corner"), std::string::npos);
+  EXPECT_NE(error(kSquare + "f 1 2 3-4\n").find("line 5"), std::string::npos);
+  EXPECT_NE(error(kSquare + "f\n").find("line 5: a face without corners"), std::string::npos);
+  EXPECT_NE(error("v 1 2\nv 1 2 3\n").find("line 1"), std::string::npos);
+  EXPECT_NE(error("v 1 2 3.1+e2\n").find("line 1"), std::string::npos);
+  EXPECT_NE(error("# empty\n").find("no vertex"), std::string::npos);
+}
+
+TEST(Obj, CountsUnusableCoordinates)
+{
+  EXPECT_NE(error("v 0 0 0\nv inf 0 0\nv 1e60 0 0\n").find("2 of 3 points"), std::string::npos);
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/error.h"
+#include "filters/base/execution.h"
+#include "filters/geometry/mesh.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scan::test
+{
+
+using Parser = TriMesh (*)(std::span<const char>, std::string_view, Execution&);
+
+/// Parses a copy of the text that ends exactly at the end of its storage.
+inline TriMesh parse(Parser parser, std::string_view text, unsigned threads = 1)
+{
+  const std::vector<char> bytes(text.begin(), text.end());
+  Execution execution(threads);
+  return parser(bytes, "file", execution);
+}
+
+/// The message of the Error parse that the text ends in; empty when it is accepted.
+inline std::string parseError(Parser parser, std::string_view text)
+{
+  try
+  {
+    parse(parser, text);
+  }
+  catch (const Error& error)
+  {
+    return error.code() == ErrorCode::parse ? error.what() : "not a parse error";
+  }
+  return {};
+}
+
+} // namespace scan::test

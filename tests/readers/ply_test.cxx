@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/ply.h"
+
+#include "tests/readers/parsing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+
+using scan::Triangle;
+using scan::TriMesh;
+using scan::Vec3;
+
+TriMesh parse(std::string_view text)
+{
+  return scan::test::parse(scan::parsePly, text);
+}
+
+std::string error(std::string_view text)
+{
+  return scan::test::parseError(scan::parsePly, text);
+}
+
+const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string kAscii = "ply\nformat ascii 1.0\n";
+const std::string kSquare = "element vertex 4\n" + kXyz +
+  "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+  "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+template <class T>
+void append(std::string& bytes, T value, bool isBig)
+{
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if (isBig)
+  {
+    std::reverse(raw, raw + sizeof(T));
+  }
+  bytes.append(raw, sizeof(T));
+}
+
+/// Lists and scalars of many types around what counts.
+std::string binaryFile(bool isBig)
+{
+  std::string bytes = std::string("ply\nformat binary_") + (isBig ? "big" : "little") +
+    "_endian 1.0\nobj_info is_mesh 0\nelement camera 1\nproperty list ushort short view\n"
+    "property char on\nelement vertex 3\nproperty uchar red\nproperty double x\n"
+    "property list uint8 float32 extra\nproperty float y\nproperty int16 z\n"
+    "element face 2\nproperty list uchar uint vertex_index\nproperty float quality\n"
+    "element range_grid 2\nproperty list uchar int vertex_indices\nend_header\n";
+  append<std::uint16_t>(bytes, 2, isBig);
+  append<std::int16_t>(bytes, -1, isBig);
+  append<std::int16_t>(bytes, 7, isBig);
+  append<std::int8_t>(bytes, 1, isBig);
+  for (int i = 0; i < 3; ++i)
+  {
+    append<std::uint8_t>(bytes, 200, isBig);
+    append<double>(bytes, i + 0.1, isBig);
+    append<std::uint8_t>(bytes, static_cast<std::uint8_t>(i), isBig);
+    for (int k = 0; k < i; ++k)
+    {
+      append<float>(bytes, 9.0F, isBig);
+    }
+    append<float>(bytes, static_cast<float>(i) - 0.5F, isBig);
+    append<std::int16_t>(bytes, static_cast<std::int16_t>(-300 * i), isBig);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    append<std::uint8_t>(bytes, 3, isBig);
+    for (std::uint32_t k = 0; k < 3; ++k)
+    {
+      append<std::uint32_t>(bytes, i == 0 ? k : 2 - k, isBig);
+    }
+    append<float>(bytes, 1.0F, isBig);
+  }
+  append<std::uint8_t>(bytes, 0, isBig);
+  append<std::uint8_t>(bytes, 1, isBig);
+  append<std::int32_t>(bytes, 2, isBig);
+  return bytes;
+}
+
+} // namespace
+
+TEST(Ply, ReadsBothByteOrdersAndSkipsTheRest)
+{
+  for (const bool isBig : { false, true })
+  {
+    const TriMesh mesh = parse(binaryFile(isBig));
+    const std::vector<Vec3> points = { { 0.1, -0.5, 0 }, { 1.1, 0.5, -300 }, { 2.1, 1.5, -600 } };
+    EXPECT_EQ(mesh.points, points);
+    const std::vector<Triangle> triangles = { { 0, 1, 2 }, { 2, 1, 0 } };
+    EXPECT_EQ(mesh.triangles, triangles);
+  }
+}
+
+TEST(Ply, TurnsPolygonsIntoFans)
+{
+  const std::vector<Triangle> fan = { { 0, 1, 2 }, { 0, 2, 3 } };
+  EXPECT_EQ(parse(kAscii + kSquare + "4 0 1 2 3\n").triangles, fan);
+}
+
+TEST(Ply, LeavesOutFacesWithoutArea)
+{
+  EXPECT_TRUE(parse(kAscii + kSquare + "2 0 1\n").triangles.empty());
+  EXPECT_TRUE(parse(kAscii + kSquare + "0\n").triangles.empty());
+}
+
+TEST(Ply, UnrollsStrips)
+{
+  const std::string text = kAscii + "element vertex 5\n" + kXyz +
+    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 2\n8 0 1 2 3 -1 2 3 4\n";
+  const std::vector<Triangle> triangles = { { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 } };
+  EXPECT_EQ(parse(text).triangles, triangles);
+}
+
+TEST(Ply, AcceptsCarriageReturns)
+{
+  std::string text = kAscii + kSquare + "4 0 1 2 3\n";
+  const TriMesh expected = parse(text);
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(parse(text).points, expected.points);
+  for (std::size_t at = 0; (at = text.find('\r', at)) != text.npos; at += 2)
+  {
+    text.insert(at + 1, 1, '\n');
+  }
+  EXPECT_EQ(parse(text).triangles, expected.triangles);
+}
+
+TEST(Ply, RefusesIndicesWithoutAVertex)
+{
+  EXPECT_EQ(error(kAscii + kSquare + "3 0 1 4\n"),
+    "file: line 14: a face refers to vertex 4, but there are 4, counted from 0");
+  EXPECT_NE(error(kAscii + kSquare + "3 0 1 -1\n").find("vertex -1"), std::string::npos);
+  EXPECT_NE(error(kAscii + kSquare + "3 0 1 1.5\n").find("integer"), std::string::npos);
+}
+
+TEST(Ply, BoundsEveryCountByTheFile)
+{
+  const std::string huge = "element vertex 4000000000\n" + kXyz + "end_header\n0 0 0\n";
+  EXPECT_NE(error(kAscii + huge).find("truncated"), std::string::npos);
+  EXPECT_NE(
+    error("ply\nformat binary_little_endian 1.0\n" + huge).find("truncated"), std::string::npos);
+  EXPECT_NE(error(kAscii + kSquare + "4000000000 0 1 2\n").find("does not fit"), std::string::npos);
+  EXPECT_NE(error(kAscii + kSquare + "3 0 1").find("line 14"), std::string::npos);
+}
+
+TEST(Ply, CountsUnusableCoordinates)
+{
+  const std::string text = kAscii + "element vertex 2\n" + kXyz + "end_header\n1 2 3\n1 -nan 3\n";
+  EXPECT_EQ(error(text),
+    "file: 1 of 2 points have coordinates that are not finite or exceed 1e50 (first: line 8); "
+    "remove them");
+}
+
+TEST(Ply, ExplainsAMalformedHeader)
+{
+  EXPECT_NE(error("plx\n").find("line 1"), std::string::npos);
+  EXPECT_NE(error("ply\nformat ascii 1.0\n").find("end_header"), std::string::npos);
+  EXPECT_NE(error(kAscii + "element vertex many\n").find("line 3: the element count 'many'"),
+    std::string::npos);
+  EXPECT_NE(error(kAscii + "element vertex 1\nproperty half x\nend_header\n")
+              .find("line 4: unknown property type 'half'"),
+    std::string::npos);
+  EXPECT_NE(error(kAscii + "element vertex 1\nproperty float x\nend_header\n1\n").find("x, y, z"),
+    std::string::npos);
+}
