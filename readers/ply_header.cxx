@@ -101,22 +101,19 @@ private:
   void readLine(const std::vector<std::string_view>& words)
   {
     const std::string_view keyword = words[0];
-    if (keyword == "format" && words.size() >= 2)
+    if (keyword == "format")
     {
-      this->readFormat(words[1]);
+      this->readFormat(words.size() >= 2 ? words[1] : "");
     }
-    else if (keyword == "element" && words.size() == 3)
+    else if (keyword == "element")
     {
-      this->readElement(words[1], words[2]);
+      this->readElement(words);
     }
     else if (keyword == "property")
     {
       this->readProperty(words);
     }
-    else if (keyword != "comment" && keyword != "obj_info")
-    {
-      this->fail("unknown header line " + quoted(keyword));
-    }
+    // comments, obj_info, and what some writers add without either keyword
   }
 
   void readFormat(std::string_view name)
@@ -139,10 +136,15 @@ private:
     }
   }
 
-  void readElement(std::string_view name, std::string_view number)
+  void readElement(const std::vector<std::string_view>& words)
   {
+    if (words.size() != 3)
+    {
+      this->fail("incomplete 'element'");
+    }
+    const std::string_view number = words[2];
     PlyElement element;
-    element.name = name;
+    element.name = words[1];
     const char* const end = number.data() + number.size();
     const std::from_chars_result result = std::from_chars(number.data(), end, element.count);
     if (result.ec != std::errc() || result.ptr != end)

@@ -61,7 +61,7 @@ struct PlyHeader
   std::size_t size = 0; ///< bytes up to the first element's data
 };
 
-/// Reads the header; unknown keywords are an error, comments and obj_info are skipped.
+/// Reads the header; skips lines that are neither format, element nor property.
 /// Throws Error parse with the line.
 PlyHeader parsePlyHeader(const Source& source);
 

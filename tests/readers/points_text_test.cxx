@@ -123,7 +123,6 @@ TEST(PointsText, IsTheSameForAnyNumberOfThreads)
   const scan::TriMesh one = scan::test::parse(scan::parsePointsText, text, 1);
   ASSERT_EQ(one.points.size(), 150000U);
   EXPECT_EQ(one.points, scan::test::parse(scan::parsePointsText, text, 2).points);
-  EXPECT_EQ(one.points, scan::test::parse(scan::parsePointsText, text, 5).points);
 }
 
 TEST(PointsText, NamesALineFarDownTheFile)
