@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/basins.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace scan
+{
+
+// The automatic wrap labels every tetrahedron inside or outside; the surface is the cut, the
+// triangles between the two. A good cut passes through many points and is a manifold of simple
+// topology: maximise
+//
+//   F = V + (V - T/2) - mu * sum over cut triangles of their excess area
+//
+// with V the points on the cut and T its triangles (for a closed surface V - T/2 is its Euler
+// characteristic). A bubble, a handle, a doubled layer cost (V - T/2), a missed point costs 1, mu
+// discourages webs.
+
+/// Flips groups of basins while F grows, coarse to fine: at level kappa = 3, 2, 1.5, ... 1 basins
+/// with the same label are joined through triangles of radius r with min(size, size) / r <= kappa,
+/// and each group is tried, largest first. All levels are swept for mu = 0.02, then 0.1.
+/// @param inside per basin, 0 or 1: the start; @return the refined labels
+/// Groups are tried again only where their surroundings changed. Reports phase "refine".
+std::vector<std::uint8_t> refineBasins(const FlowComplex& flow, const Basins& basins,
+  const std::vector<float>& spacing, std::vector<std::uint8_t> inside, Execution& execution);
+
+/// Flips single tetrahedra at the cut while F, less half a point for every non-manifold edge,
+/// grows. @param inside per tetrahedron, 0 or 1. Reports phase "fine-tune".
+std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<float>& spacing,
+  std::vector<std::uint8_t> inside, Execution& execution);
+
+} // namespace scan

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/delaunay_complex.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace scan
+{
+
+/// The intervals of the radius function on a Delaunay complex: the discrete gradient that decides
+/// what collapses into what. Two bytes a tetrahedron.
+///
+/// The radius of a simplex is that of its smallest empty circumsphere. Simplices with the same
+/// sphere form an interval [L, U]; L = U means critical. Ties are broken exactly, as the complex
+/// breaks them, so the intervals partition the complex and the relation is acyclic on any input.
+/// A facet is *attached* to the tetrahedron on one side when the opposite vertex lies inside the
+/// facet's smallest sphere. A tetrahedron with no attached facet is a *sink*; with one, f, it forms
+/// [f, tetrahedron]; with two, sharing the edge e, [e, tetrahedron].
+/// Bauer, Edelsbrunner, "The Morse theory of Cech and Delaunay complexes" (2017).
+class FlowComplex
+{
+public:
+  /// Classifies all tetrahedra and triangles; reports phase "classify".
+  FlowComplex(const DelaunayComplex& complex, Execution& execution);
+
+  const DelaunayComplex& delaunay() const { return this->Complex; }
+
+  unsigned attachedFacets(Index tet) const { return this->Attached[tet]; } ///< bit k: facet k
+  bool isAttached(Facet facet) const { return this->Attached[facet / 4] >> (facet % 4) & 1U; }
+  bool isSink(Index tet) const { return this->Attached[tet] == 0; }
+
+  /// The facet is attached to neither of its sides: the triangle's interval is its own or an
+  /// edge's.
+  bool isFree(Facet facet) const
+  {
+    const Facet other = this->Complex.mirror[facet / 4][facet % 4];
+    return !this->isAttached(facet) && (other == kNone || !this->isAttached(other));
+  }
+
+  /// For a free facet: the vertex at its obtuse angle, whose opposite edge e forms the interval
+  /// [e, triangle]; kNone when the triangle is critical.
+  Index obtuseVertex(Facet facet) const
+  {
+    const Facet name = this->Complex.canonical(facet);
+    const unsigned corner = this->Obtuse[name / 4] >> (2 * (name % 4)) & 3U;
+    return corner == 0 ? kNone : this->Complex.facetVertices(name)[corner - 1];
+  }
+
+  bool isCriticalTriangle(Facet facet) const
+  {
+    return this->isFree(facet) && this->obtuseVertex(facet) == kNone;
+  }
+
+  /// The edge of the interval [edge, tet] of a tetrahedron with two attached facets.
+  Segment lowerEdge(Index tet) const
+  {
+    const unsigned others = ~this->Attached[tet] & 15U;
+    const int i = std::countr_zero(others);
+    const int j = std::countr_zero(others & (others - 1));
+    return { this->Complex.tetrahedra[tet][i], this->Complex.tetrahedra[tet][j] };
+  }
+
+  /// The facet through which a tetrahedron that is no sink flows on: its attached facet, of two
+  /// the one whose other side has the larger circumradius (outside counts as infinite).
+  Facet exit(Index tet) const;
+
+private:
+  const DelaunayComplex& Complex;
+  std::vector<std::uint8_t> Attached; ///< bit k: facet k is attached to this tetrahedron
+  std::vector<std::uint8_t> Obtuse;   ///< two bits a facet, at canonical free facets: 1 + corner
+};
+
+/// Squared circumradius of a tetrahedron; large but finite or infinite for flat ones.
+double circumradiusSquared(const DelaunayComplex& complex, Index tet);
+
+/// Squared circumradius of a triangle.
+double circumradiusSquared(const DelaunayComplex& complex, const Triangle& triangle);
+
+/// An edge that no interval pairs with a triangle or tetrahedron, and a free triangle that has it
+/// (there always is one: the attachments around an edge cannot run in a circle).
+struct CriticalEdge
+{
+  Segment vertices;
+  Facet triangle;
+  Index apex; ///< the vertex of the triangle that is not on the edge
+};
+
+/// All critical edges (the Gabriel edges), in the order of their triangles. Reports phase "edges".
+std::vector<CriticalEdge> criticalEdges(const FlowComplex& flow, Execution& execution);
+
+} // namespace scan

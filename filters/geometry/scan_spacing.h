@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/flow_complex.h"
+
+#include <vector>
+
+namespace scan
+{
+
+/// The local spacing of the scan at every vertex: the median length of the critical edges there.
+/// Positive; needs no density, no neighbourhood size. Reports phase "edges".
+std::vector<float> localSpacing(const FlowComplex& flow, Execution& execution);
+
+/// By how much a triangle is larger than the local spacing h of its vertices allows:
+/// max(0, area / h^2 - 2), with the largest h of the three. Zero for surfaces of a scan.
+float excessArea(
+  const DelaunayComplex& complex, const std::vector<float>& spacing, const Triangle& triangle);
+
+} // namespace scan

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/wrap.h"
+
+#include "filters/geometry/basins.h"
+#include "filters/geometry/cut_refinement.h"
+#include "filters/geometry/mesh_split.h"
+#include "filters/geometry/scan_spacing.h"
+#include "filters/geometry/wrap_complex.h"
+
+#include <algorithm>
+
+namespace scan
+{
+namespace
+{
+
+/// Moves a surface on all vertices of the complex to the vertices it uses, numbered in the order
+/// of the scan points.
+void compact(const DelaunayComplex& complex, WrapResult& result)
+{
+  constexpr Index kUsed = kNone - 1;
+  std::vector<Index> number(complex.points.size(), kNone);
+  for (const Triangle& triangle : result.surface.triangles)
+  {
+    for (const Index v : triangle)
+    {
+      number[v] = kUsed;
+    }
+  }
+  result.report.pointsOnSurface =
+    static_cast<Index>(std::count(number.begin(), number.end(), kUsed));
+  for (const Segment& line : result.lines)
+  {
+    number[line[0]] = kUsed;
+    number[line[1]] = kUsed;
+  }
+  for (Index v = 0; v < number.size(); ++v)
+  {
+    if (number[v] == kUsed)
+    {
+      number[v] = static_cast<Index>(result.surface.points.size());
+      result.surface.points.push_back(complex.points[v]);
+      result.scanPointIds.push_back(complex.scanPoint[v]);
+    }
+  }
+  const auto renumber = [&](auto& cells)
+  {
+    for (auto& cell : cells)
+    {
+      for (Index& v : cell)
+      {
+        v = number[v];
+      }
+    }
+  };
+  renumber(result.surface.triangles);
+  renumber(result.lines);
+}
+
+WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
+{
+  const FlowComplex flow(complex, execution);
+  const WrapComplex kept = collapseFromOutside(flow, execution);
+  WrapResult result;
+  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+  {
+    const Index tet = facet / 4;
+    result.report.tetrahedraKept += facet % 4 == 0 && kept.keepsTet(tet) ? 1 : 0;
+    if (kept.keepsTet(tet) && kept.keptSides(facet) == 1)
+    {
+      ++result.report.boundaryTriangles;
+      result.surface.triangles.push_back(complex.facetVertices(facet));
+    }
+    else if (complex.canonical(facet) == facet && kept.isSheet(facet))
+    {
+      ++result.report.sheetTriangles;
+      result.surface.triangles.push_back(complex.facetVertices(facet));
+    }
+  }
+  result.lines = keptLines(kept, execution);
+  return result;
+}
+
+WrapResult wrapAutomatic(const DelaunayComplex& complex, WrapOptions::Fit fit, Execution& execution)
+{
+  const FlowComplex flow(complex, execution);
+  const std::vector<float> spacing = localSpacing(flow, execution);
+  const Basins basins = findBasins(flow, execution);
+  const std::vector<std::uint8_t> insideBasin =
+    refineBasins(flow, basins, spacing, persistentRooms(flow, basins, execution), execution);
+
+  std::vector<std::uint8_t> inside(complex.tetCount());
+  for (Index tet = 0; tet < complex.tetCount(); ++tet)
+  {
+    inside[tet] = insideBasin[basins.ofTet[tet]];
+  }
+  if (fit == WrapOptions::Fit::all)
+  {
+    inside = fineTune(flow, spacing, std::move(inside), execution);
+  }
+
+  WrapResult result;
+  for (Index tet = 0; tet < complex.tetCount(); ++tet)
+  {
+    if (!inside[tet])
+    {
+      continue;
+    }
+    ++result.report.tetrahedraKept;
+    for (int k = 0; k < 4; ++k)
+    {
+      const Index beyond = complex.neighbour(tet, k);
+      if (beyond == kNone || !inside[beyond])
+      {
+        result.surface.triangles.push_back(complex.facetVertices(4 * tet + static_cast<Facet>(k)));
+      }
+    }
+  }
+  result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
+  return result;
+}
+
+/// Splits what is not a manifold and gives the new points the scan points of their originals.
+void makeManifold(WrapResult& result)
+{
+  SplitResult split = splitNonManifold(result.surface);
+  std::vector<Index> scanPointIds(split.pointOrigin.size());
+  for (std::size_t v = 0; v < scanPointIds.size(); ++v)
+  {
+    scanPointIds[v] = result.scanPointIds[split.pointOrigin[v]];
+  }
+  result.surface = std::move(split.mesh);
+  result.scanPointIds = std::move(scanPointIds);
+  result.report.nonManifoldEdges = split.edgesSplit;
+  result.report.nonManifoldVertices = split.verticesSplit;
+}
+
+} // namespace
+
+std::vector<Phase> wrapPhases(const WrapOptions& options)
+{
+  std::vector<Phase> phases{ { "triangulate", 10.0 }, { "classify", 1.0 } };
+  if (options.mode == WrapOptions::Mode::classic)
+  {
+    phases.insert(phases.end(), { { "collapse", 2.0 }, { "edges", 1.0 } });
+  }
+  else
+  {
+    phases.insert(
+      phases.end(), { { "edges", 1.0 }, { "basins", 1.0 }, { "rooms", 1.5 }, { "refine", 3.0 } });
+    if (options.fit == WrapOptions::Fit::all)
+    {
+      phases.push_back({ "fine-tune", 1.0 });
+    }
+  }
+  phases.push_back({ "surface", 1.0 });
+  return phases;
+}
+
+WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution)
+{
+  const DelaunayComplex complex = buildDelaunayComplex(points, execution);
+  WrapResult result = options.mode == WrapOptions::Mode::classic
+    ? wrapClassic(complex, execution)
+    : wrapAutomatic(complex, options.fit, execution);
+  execution.step("surface", 0, 2);
+  compact(complex, result);
+  result.report.pointsRead = static_cast<Index>(points.size());
+  result.report.duplicatesMerged = complex.duplicates;
+  result.report.tetrahedra = complex.tetCount();
+  execution.step("surface", 1, 2);
+  if (options.manifold)
+  {
+    makeManifold(result);
+  }
+  execution.step("surface", 2, 2);
+  return result;
+}
+
+} // namespace scan

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace scan
+{
+
+struct WrapOptions
+{
+  enum class Mode
+  {
+    automatic, ///< the pushes a person would make, found by one objective
+    classic    ///< the initial Wrap complex, the start for pushing by hand
+  };
+  enum class Fit
+  {
+    all,   ///< single tetrahedra flip at the end: through as many points as possible
+    robust ///< whole basins only: smoother on noisy scans
+  };
+
+  Mode mode = Mode::automatic;
+  Fit fit = Fit::all;   ///< automatic mode only
+  bool manifold = true; ///< split non-manifold edges and vertices into separate sheets
+};
+
+/// What happened to the points; nothing is dropped silently.
+struct WrapReport
+{
+  Index pointsRead = 0;
+  Index duplicatesMerged = 0;    ///< points with exactly the coordinates of an earlier one
+  Index pointsOnSurface = 0;     ///< distinct scan points that the surface passes through
+  Index tetrahedra = 0;          ///< of the Delaunay complex
+  Index tetrahedraKept = 0;      ///< inside the surface
+  Index boundaryTriangles = 0;   ///< triangles with exactly one kept tetrahedron
+  Index sheetTriangles = 0;      ///< kept triangles with no kept tetrahedron
+  Index nonManifoldEdges = 0;    ///< edges split into separate sheets
+  Index nonManifoldVertices = 0; ///< vertices split into separate fans
+};
+
+struct WrapResult
+{
+  TriMesh surface;                 ///< only used points; boundary triangles face outward
+  std::vector<Index> scanPointIds; ///< per surface point: index of its scan point in the input
+  std::vector<Segment> lines;      ///< kept edges without a kept triangle (classic mode)
+  WrapReport report;
+};
+
+/// The phases that wrap() reports, for Execution::plan.
+std::vector<Phase> wrapPhases(const WrapOptions& options);
+
+/// Surface of a scan as a subcomplex of the Delaunay complex of its points: no normals, no density.
+///
+/// Guarantee: every triangle is a Delaunay triangle of the distinct input points; shared vertices,
+/// no cracks; automatic mode gives closed surfaces. With `manifold` the result is a 2-manifold with
+/// or without boundary. The same input gives the same bytes on any number of threads.
+/// @param points finite coordinates with absolute values up to 1e50, in model units
+/// @throws Error badInput when fewer than four points, or all of them in one plane; Cancelled
+/// Time and memory: nearly linear for points on surfaces, about 0.8 kB a point.
+/// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003).
+WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution);
+
+} // namespace scan
