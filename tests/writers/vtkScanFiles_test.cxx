@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The VTK readers and writers of the project, against each other and against VTK's own.
+#include "readers/vtkScanObjReader.h"
+#include "readers/vtkScanPlyReader.h"
+#include "readers/vtkScanPointsReader.h"
+#include "readers/vtkScanStlReader.h"
+#include "tests/readers/temporary_folder.h"
+#include "tests/writers/written.h"
+#include "writers/vtkScanObjWriter.h"
+#include "writers/vtkScanPlyWriter.h"
+#include "writers/vtkScanStlWriter.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace
+{
+
+using scan::Encoding;
+using State = vtkScanOutcome::State;
+using scan::test::TemporaryFolder;
+
+vtkSmartPointer<vtkPolyData> sphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(1.0 / 3.0, 20.0, -7.5);
+  source->SetPhiResolution(20);
+  source->SetThetaResolution(30);
+  source->Update();
+  return source->GetOutput();
+}
+
+void expectSameShape(vtkPolyData& found, vtkPolyData& expected, double tolerance)
+{
+  EXPECT_EQ(found.GetNumberOfPoints(), expected.GetNumberOfPoints());
+  EXPECT_EQ(found.GetNumberOfPolys(), expected.GetNumberOfPolys());
+  std::array<double, 6> a = {};
+  std::array<double, 6> b = {};
+  found.GetBounds(a.data());
+  expected.GetBounds(b.data());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    EXPECT_NEAR(a[i], b[i], tolerance);
+  }
+}
+
+template <class Writer>
+int write(const std::string& path, vtkPolyData* data, Encoding encoding)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(data);
+  writer->SetEncoding(encoding);
+  return writer->Write();
+}
+
+template <class Writer, class Ours, class Theirs>
+void expectReadable(const std::string& path, Encoding encoding, double tolerance)
+{
+  const vtkSmartPointer<vtkPolyData> expected = sphere();
+  ASSERT_EQ((write<Writer>(path, expected, encoding)), 1);
+  vtkNew<Ours> ours;
+  ours->SetFileName(path.c_str());
+  ours->Update();
+  expectSameShape(*ours->GetOutput(), *expected, tolerance);
+  EXPECT_EQ(ours->GetOutput()->GetPoints()->GetDataType(), VTK_DOUBLE);
+  vtkNew<Theirs> theirs;
+  theirs->SetFileName(path.c_str());
+  theirs->Update();
+  expectSameShape(*theirs->GetOutput(), *expected, 1e-6);
+}
+
+std::string pointsFile(const TemporaryFolder& folder, const std::string& content)
+{
+  const std::string path = folder.file("scan.xyz");
+  scan::test::setContent(path, content);
+  return path;
+}
+
+/// The text of the error event, once; empty when there was none.
+class ErrorText
+{
+public:
+  explicit ErrorText(vtkObject& object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* text)
+      {
+        static_cast<ErrorText*>(self)->Text += static_cast<const char*>(text);
+        ++static_cast<ErrorText*>(self)->Count;
+      });
+    object.AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+
+  std::string Text;
+  int Count = 0;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+} // namespace
+
+TEST(WrittenFile, IsReadByVtkToo)
+{
+  const TemporaryFolder folder;
+  for (const Encoding encoding : { Encoding::binary, Encoding::ascii })
+  {
+    expectReadable<vtkScanStlWriter, vtkScanStlReader, vtkSTLReader>(
+      folder.file("a.stl"), encoding, 1e-6);
+    expectReadable<vtkScanPlyWriter, vtkScanPlyReader, vtkPLYReader>(
+      folder.file("a.ply"), encoding, 0.0);
+  }
+  expectReadable<vtkScanObjWriter, vtkScanObjReader, vtkOBJReader>(
+    folder.file("a.obj"), Encoding::ascii, 0.0);
+}
+
+TEST(VtkScanReader, GivesScansAVertexPerPoint)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkScanPointsReader> reader;
+  reader->SetFileName(pointsFile(folder, "1 2 3\n4 5 6\n").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 2);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfVerts(), 2);
+}
+
+TEST(VtkScanReader, TakesWhatItIsAskedFor)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.ply");
+  write<vtkScanPlyWriter>(path, sphere(), Encoding::binary);
+  vtkNew<vtkScanPlyReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetReadAs(vtkScanReader::Content::points);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 0);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), sphere()->GetNumberOfPoints());
+
+  vtkNew<vtkScanPointsReader> points;
+  ErrorText error(*points);
+  points->SetFileName(pointsFile(folder, "1 2 3\n").c_str());
+  points->SetReadAs(vtkScanReader::Content::mesh);
+  EXPECT_EQ(points->GetExecutive()->Update(), 0);
+  EXPECT_NE(error.Text.find("no triangles"), std::string::npos) << error.Text;
+}
+
+TEST(VtkScanReader, FailsWithOneClearLineAndAnEmptyOutput)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkScanPointsReader> reader;
+  ErrorText error(*reader);
+  reader->SetFileName(pointsFile(folder, "1 2 3\n4 5\n").c_str());
+  EXPECT_EQ(reader->GetExecutive()->Update(), 0);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(reader->GetOutcome().state, State::failed);
+  EXPECT_EQ(reader->GetOutcome().code, scan::ErrorCode::parse);
+  EXPECT_NE(reader->GetOutcome().message.find("scan.xyz: line 2"), std::string::npos);
+  EXPECT_EQ(error.Count, 1) << error.Text;
+}
+
+TEST(VtkScanReader, StopsWhenCancelled)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkScanPointsReader> reader;
+  reader->SetFileName(pointsFile(folder, "1 2 3\n").c_str());
+  scan::CancelToken token;
+  token.cancel();
+  reader->SetCancelToken(token);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutcome().state, State::cancelled);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(VtkScanWriter, FailsWithOneClearLineAndNoFile)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkScanStlWriter> writer;
+  ErrorText error(*writer);
+  writer->SetFileName(folder.file("a.stl").c_str());
+  writer->SetInputData(empty);
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetOutcome().code, scan::ErrorCode::badInput);
+  EXPECT_NE(error.Text.find("no triangles to write"), std::string::npos) << error.Text;
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
