@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+
+#include <vtkSmartPointer.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace scan
+{
+
+/// What to take from a file that may hold points and triangles.
+enum class ReadAs
+{
+  automatic, ///< what the file holds
+  points,    ///< the points only, as a scan
+  mesh       ///< a file without triangles is an error
+};
+
+/// A file format: how to recognise, read and write it.
+struct Format
+{
+  std::string name;
+  std::vector<std::string> extensions; ///< lower case, without the dot
+  bool isPicture = false;              ///< written from a vtkImageData, else from a vtkPolyData
+
+  bool (*looksLike)(std::span<const char> head) = nullptr; ///< null where reading is not possible
+
+  /// A fresh reader; null where reading is not possible. The path "-" is standard input.
+  vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& path, ReadAs as) = nullptr;
+
+  /// A fresh writer; null where writing is not possible. The path "-" is standard output.
+  vtkSmartPointer<vtkAlgorithm> (*makeWriter)(const std::string& path) = nullptr;
+};
+
+/// Every format, the ones with the surest content check first.
+const std::vector<Format>& formats();
+
+/// The format of a file to read. Content decides; the extension decides only between formats that
+/// the content allows. Standard input, "-", is read to its end and stays readable.
+/// @throws Error{io} for a file that is missing, a directory or unreadable; Error{parse} for an
+///   empty file and for unknown content; Cancelled while waiting for standard input
+const Format& formatToRead(const std::string& path, const CancelToken& token);
+
+/// The format of a file to write, from its extension; "-" is written as PLY.
+/// @throws Error{badParameter} naming the extensions that can be written
+const Format& formatToWrite(const std::string& path);
+
+/// "stl, ply, obj": the extensions of the formats that can be read or written.
+std::string readableExtensions();
+std::string writableExtensions();
+
+} // namespace scan

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/runner.h"
+
+#include "pipeline/peak_memory.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCommand.h>
+#include <vtkDataObject.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+
+#include <chrono>
+#include <exception>
+#include <string>
+
+namespace scan
+{
+
+namespace
+{
+
+using State = vtkScanOutcome::State;
+
+/// "ERROR: In file, line 7\nvtkClass (0x1234): text\n\n" -> "text", in one line.
+std::string plainMessage(std::string text)
+{
+  const std::size_t start = text.find("): ");
+  text = start == std::string::npos ? text : text.substr(start + 3);
+  text.erase(text.find_last_not_of('\n') + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// Keeps the first error instead of letting VTK print it, and passes progress on.
+class Observer : public vtkCommand
+{
+public:
+  static Observer* New() { return new Observer; }
+  vtkTypeMacro(Observer, vtkCommand);
+
+  void Execute(vtkObject* caller, unsigned long event, void* data) override
+  {
+    if (event == vtkCommand::ErrorEvent)
+    {
+      if (this->Message.empty() && data != nullptr)
+      {
+        this->Message = plainMessage(static_cast<const char*>(data));
+      }
+      return;
+    }
+    auto* const algorithm = vtkAlgorithm::SafeDownCast(caller);
+    const char* const text = algorithm != nullptr ? algorithm->GetProgressText() : nullptr;
+    if (text != nullptr && this->Options->progress)
+    {
+      this->Options->progress(text, algorithm->GetProgress());
+    }
+  }
+
+  const RunOptions* Options = nullptr;
+  std::string Message;
+};
+
+vtkScanOutcome updateOnce(vtkAlgorithm& fresh, const RunOptions& options)
+{
+  vtkNew<Observer> observer;
+  observer->Options = &options;
+  fresh.AddObserver(vtkCommand::ErrorEvent, observer);
+  fresh.AddObserver(vtkCommand::ProgressEvent, observer);
+  fresh.GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  auto* const task = dynamic_cast<vtkScanTask*>(&fresh);
+  if (task != nullptr)
+  {
+    task->SetThreads(options.threads);
+    task->SetCancelToken(options.token);
+  }
+  const bool isUpdated = fresh.GetExecutive()->Update() != 0;
+  if (task != nullptr && task->GetOutcome().state != State::ok)
+  {
+    return task->GetOutcome();
+  }
+  if (isUpdated && observer->Message.empty())
+  {
+    return {};
+  }
+  return { State::failed, ErrorCode::internal,
+    observer->Message.empty() ? "the filter refused its input" : observer->Message };
+}
+
+} // namespace
+
+StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOptions& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const PeakMemory memory;
+  StepResult step;
+  try
+  {
+    if (input != nullptr)
+    {
+      fresh.SetInputDataObject(input);
+    }
+    step.outcome = updateOnce(fresh, options);
+  }
+  catch (const std::exception& error) // plain VTK algorithms have no guard
+  {
+    step.outcome = { State::failed, ErrorCode::internal, error.what() };
+  }
+  if (step.outcome.state == State::ok && fresh.GetNumberOfOutputPorts() > 0)
+  {
+    // a copy that shares the arrays, so that the filter can go
+    vtkDataObject* const output = fresh.GetOutputDataObject(0);
+    step.output = vtk::TakeSmartPointer(output->NewInstance());
+    step.output->ShallowCopy(output);
+  }
+  step.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  step.peakBytes = memory.bytes();
+  return step;
+}
+
+StepResult runOperation(const Operation& operation, const ParameterValues& given,
+  vtkDataObject& input, const RunOptions& options)
+{
+  try
+  {
+    const auto filter = operation.make(completeValues(operation, given));
+    StepResult step = runAlgorithm(*filter, &input, options);
+    if (step.outcome.state == State::ok && operation.results)
+    {
+      step.results = operation.results(*filter);
+    }
+    return step;
+  }
+  catch (const Error& error)
+  {
+    StepResult step;
+    step.outcome = { State::failed, error.code(), error.what() };
+    return step;
+  }
+}
+
+} // namespace scan
