@@ -191,7 +191,7 @@ private:
   {
     if (!isKeyword(at, this->Text.end(), expected))
     {
-      this->fail(at, "'" + std::string(expected) + "'");
+      this->fail(at, quoted(expected));
     }
     return skipSpace(at + expected.size(), this->Text.end());
   }
