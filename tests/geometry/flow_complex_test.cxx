@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/base/error.h"
+#include "filters/geometry/flow_complex.h"
+#include "filters/geometry/wrap.h"
+#include "tests/geometry/complex_corpus.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace scan::test
+{
+namespace
+{
+
+/// Runs a statement over every point set of several seeds.
+template <class Statement>
+void forAllPointSets(Statement&& statement)
+{
+  for (std::uint64_t round = 0; round < 4; ++round)
+  {
+    for (const PointSet& set : pointSets(testSeed() + round))
+    {
+      SCOPED_TRACE(set.name + ", SCAN_TEST_SEED=" + std::to_string(set.seed));
+      statement(set);
+    }
+  }
+}
+
+TEST(DelaunayComplex, NeighboursMirrorEachOtherAndOrientationsArePositive)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+      {
+        const Facet other = complex.mirror[facet / 4][facet % 4];
+        if (other == kNone)
+        {
+          continue;
+        }
+        ASSERT_EQ(complex.mirror[other / 4][other % 4], facet);
+        const Triangle here = complex.facetVertices(facet);
+        const Triangle there = complex.facetVertices(other);
+        EXPECT_EQ(sorted({ here.begin(), here.end() }), sorted({ there.begin(), there.end() }));
+      }
+    });
+}
+
+TEST(DelaunayComplex, DoesNotDependOnTheOrderOfThePoints)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const auto asPoints = [](const DelaunayComplex& complex)
+      {
+        std::set<std::set<std::array<double, 3>>> tetrahedra;
+        for (const auto& v : complex.tetrahedra)
+        {
+          std::set<std::array<double, 3>> corners;
+          for (const Index i : v)
+          {
+            corners.insert({ complex.points[i].x, complex.points[i].y, complex.points[i].z });
+          }
+          tetrahedra.insert(corners);
+        }
+        return tetrahedra;
+      };
+      std::vector<Vec3> reversed(set.points.rbegin(), set.points.rend());
+      EXPECT_EQ(asPoints(buildDelaunayComplex(set.points, execution)),
+        asPoints(buildDelaunayComplex(reversed, execution)));
+    });
+}
+
+TEST(DelaunayComplex, MergesAndCountsDuplicatesKeepingTheFirstIndex)
+{
+  std::vector<Vec3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 },
+    { -0.0, 0, 0 }, { 1, 0, 0 } };
+  Execution execution;
+  const DelaunayComplex complex = buildDelaunayComplex(points, execution);
+  EXPECT_EQ(complex.duplicates, 3U);
+  EXPECT_EQ(sorted(complex.scanPoint), (std::vector<Index>{ 0, 1, 2, 3 }));
+}
+
+TEST(FlowComplex, IntervalsPartitionTheComplex)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      const FlowComplex flow(complex, execution);
+      std::vector<Simplex> conflicts;
+      std::set<Simplex> covered;
+      for (const auto& [lower, upper] : intervalsOf(flow, &conflicts))
+      {
+        covered.insert(upper);
+        for (const Simplex& face : facesOf(upper))
+        {
+          if (std::includes(face.begin(), face.end(), lower.begin(), lower.end()))
+          {
+            covered.insert(face);
+          }
+        }
+      }
+      EXPECT_TRUE(conflicts.empty()) << conflicts.size() << " simplices in two intervals";
+      EXPECT_EQ(covered, allSimplices(complex));
+    });
+}
+
+TEST(FlowComplex, CriticalSimplicesHaveEulerCharacteristicOne)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      const FlowComplex flow(complex, execution);
+      std::array<long, 4> critical{};
+      for (const auto& [lower, upper] : intervalsOf(flow))
+      {
+        critical[lower.size() - 1] += lower == upper ? 1 : 0;
+      }
+      EXPECT_EQ(critical[0] - critical[1] + critical[2] - critical[3], 1);
+      EXPECT_EQ(critical[0], static_cast<long>(complex.points.size()));
+    });
+}
+
+TEST(FlowComplex, RelationIsAcyclic)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      const FlowComplex flow(complex, execution);
+      const Intervals intervals = intervalsOf(flow);
+      // lower set of each simplex's interval: an interval points at those that its faces are in
+      std::map<Simplex, Simplex> lowerOf;
+      for (const auto& [lower, upper] : intervals)
+      {
+        lowerOf[upper] = lower;
+        for (const Simplex& face : facesOf(upper))
+        {
+          if (std::includes(face.begin(), face.end(), lower.begin(), lower.end()))
+          {
+            lowerOf[face] = lower;
+          }
+        }
+      }
+      std::map<Simplex, int> colour; // 1 on the path, 2 done
+      const auto visit = [&](const auto& self, const Simplex& lower) -> bool
+      {
+        colour[lower] = 1;
+        for (const Simplex& face : facesOf(intervals.at(lower)))
+        {
+          const Simplex& next = lowerOf.at(face);
+          if (next != lower && (colour[next] == 1 || (colour[next] == 0 && !self(self, next))))
+          {
+            return false;
+          }
+        }
+        colour[lower] = 2;
+        return true;
+      };
+      for (const auto& [lower, upper] : intervals)
+      {
+        if (colour[lower] == 0)
+        {
+          ASSERT_TRUE(visit(visit, lower));
+        }
+      }
+    });
+}
+
+TEST(ClassicWrap, IsTheUnionOfTheLowerSetsOfTheCriticalSimplices)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      const FlowComplex flow(complex, execution);
+      const Intervals intervals = intervalsOf(flow);
+      std::map<Simplex, Simplex> upperOf;
+      for (const auto& [lower, upper] : intervals)
+      {
+        upperOf[upper] = upper;
+        for (const Simplex& face : facesOf(upper))
+        {
+          if (std::includes(face.begin(), face.end(), lower.begin(), lower.end()))
+          {
+            upperOf[face] = upper;
+          }
+        }
+      }
+      std::set<Simplex> expected;
+      std::vector<Simplex> stack;
+      for (const auto& [lower, upper] : intervals)
+      {
+        if (lower == upper)
+        {
+          stack.push_back(upper);
+        }
+      }
+      while (!stack.empty())
+      {
+        const Simplex top = upperOf.at(stack.back());
+        stack.pop_back();
+        if (expected.insert(top).second)
+        {
+          for (const Simplex& face : facesOf(top))
+          {
+            stack.push_back(face);
+            expected.insert(upperOf.at(face) == top ? face : top);
+          }
+        }
+      }
+      // a lower set holds whole intervals: add what lies between
+      for (const auto& [simplex, upper] : upperOf)
+      {
+        if (expected.contains(upper))
+        {
+          expected.insert(simplex);
+        }
+      }
+      EXPECT_EQ(simplicesOf(collapseFromOutside(flow, execution)), expected);
+    });
+}
+
+TEST(ClassicWrap, IsContractibleByEulerCharacteristic)
+{
+  forAllPointSets(
+    [](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      const FlowComplex flow(complex, execution);
+      long euler = 0;
+      for (const Simplex& simplex : simplicesOf(collapseFromOutside(flow, execution)))
+      {
+        euler += simplex.size() % 2 == 1 ? 1 : -1;
+      }
+      EXPECT_EQ(euler, 1);
+    });
+}
+
+TEST(DelaunayComplex, RefusesPointsThatSpanNoSpace)
+{
+  struct Case
+  {
+    const char* words;
+    std::vector<Vec3> points;
+  };
+  const std::vector<Case> cases{
+    { "no point", {} },
+    { "equal", { { 1, 2, 3 } } },
+    { "equal", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } } },
+    { "one line", { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 }, { 9, 9, 9 } } },
+    { "one plane", { { 0, 0, 0 }, { 1, 0, 1 }, { 0, 1, 1 }, { 1, 1, 2 }, { 3, 5, 8 } } },
+    { "not finite", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, NAN } } },
+    { "1e50", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1e300 } } },
+  };
+  for (const Case& c : cases)
+  {
+    SCOPED_TRACE(c.words);
+    Execution execution;
+    try
+    {
+      buildDelaunayComplex(c.points, execution);
+      ADD_FAILURE() << "accepted";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.code(), ErrorCode::badInput);
+      EXPECT_NE(std::string(error.what()).find(c.words), std::string::npos) << error.what();
+    }
+  }
+}
+
+} // namespace
+} // namespace scan::test
