@@ -211,16 +211,22 @@ TEST_P(WrapFixtures, PersistencePairsAreEqual)
   {
     EXPECT_EQ(found[i].birth, expected[i].birth);
     EXPECT_EQ(found[i].death, expected[i].death);
-    // the pairing is unique only where no other critical simplex has the same radius
-    const auto isUnique = [&](double radius2, std::size_t vertices)
+    // the pairing is unique only where no other simplex has the same radius; a pair of simplices
+    // that are not critical shares theirs with one that is
+    const auto isUnique = [&](const Simplex& simplex, double radius2)
     {
-      return std::count_if(fixture.Expected["critical"].begin(), fixture.Expected["critical"].end(),
-               [&](const Json& item) {
-                 return item["simplex"].size() == vertices &&
-                   rounded(item["squared_radius"]) == radius2;
-               }) == 1;
+      Json same;
+      for (const Json& item : fixture.Expected["critical"])
+      {
+        if (item["simplex"].size() == simplex.size() && rounded(item["squared_radius"]) == radius2)
+        {
+          same.push_back(item["simplex"]);
+        }
+      }
+      return same.size() == 1 && sorted(same[0].get<Simplex>()) == simplex;
     };
-    if (isUnique(expected[i].birth, 3) && isUnique(expected[i].death, 4))
+    if (isUnique(expected[i].triangle, expected[i].birth) &&
+      isUnique(expected[i].tetrahedron, expected[i].death))
     {
       EXPECT_EQ(found[i].triangle, expected[i].triangle);
       EXPECT_EQ(found[i].tetrahedron, expected[i].tetrahedron);
