@@ -14,6 +14,7 @@
 #include "readers/vtkScanStlReader.h"
 #include "writers/vtkScanObjWriter.h"
 #include "writers/vtkScanPlyWriter.h"
+#include "writers/vtkScanPngWriter.h"
 #include "writers/vtkScanStlWriter.h"
 
 #include <algorithm>
@@ -59,6 +60,14 @@ bool hasExtension(const Format& format, const std::string& extension)
   return std::ranges::find(format.extensions, extension) != format.extensions.end();
 }
 
+const Format* readableByExtension(const std::string& extension)
+{
+  const auto found = std::ranges::find_if(formats(),
+    [&](const Format& format)
+    { return format.makeReader != nullptr && hasExtension(format, extension); });
+  return found != formats().end() ? &*found : nullptr;
+}
+
 template <class Predicate>
 std::string extensionsOf(Predicate isWanted)
 {
@@ -100,6 +109,10 @@ const std::vector<Format>& formats()
       .extensions = { "xyz", "txt", "asc", "pts", "csv" },
       .looksLike = looksLikePointsText,
       .makeReader = makeReader<vtkScanPointsReader> },
+    { .name = "PNG picture",
+      .extensions = { "png" },
+      .isPicture = true,
+      .makeWriter = makeWriter<vtkScanPngWriter> },
   };
   return kFormats;
 }
@@ -121,6 +134,11 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
     {
       found = &format;
     }
+  }
+  if (found == nullptr)
+  {
+    // the parser of the promised format says best what is wrong
+    found = readableByExtension(extension);
   }
   if (found == nullptr)
   {

@@ -43,8 +43,9 @@ struct Format
 /// Every format, the ones with the surest content check first.
 const std::vector<Format>& formats();
 
-/// The format of a file to read. Content decides; the extension decides only between formats that
-/// the content allows. Standard input, "-", is read to its end and stays readable.
+/// The format of a file to read. Content decides; the extension decides between formats that the
+/// content allows, and names the parser that has to say what is wrong when it allows none. Standard
+/// input, "-", is read to its end and stays readable.
 /// @throws Error{io} for a file that is missing, a directory or unreadable; Error{parse} for an
 ///   empty file and for unknown content; Cancelled while waiting for standard input
 const Format& formatToRead(const std::string& path, const CancelToken& token);

@@ -3,6 +3,7 @@
 #include "pipeline/operation_table.h"
 
 #include "filters/analysis/vtkScanInfoFilter.h"
+#include "filters/analysis/vtkScanRenderFilter.h"
 #include "filters/base/error.h"
 #include "filters/wrap/vtkScanWrapFilter.h"
 
@@ -31,6 +32,9 @@ ResultValue optionalCount(const std::optional<std::int64_t>& number)
 {
   return number ? ResultValue(*number) : ResultValue();
 }
+
+/// In the order of vtkScanRenderFilter::ViewType.
+const std::vector<std::string> kViews{ "iso", "front", "back", "left", "right", "top", "bottom" };
 
 Operation wrapOperation()
 {
@@ -137,6 +141,69 @@ Operation infoOperation()
   return row;
 }
 
+Operation renderOperation()
+{
+  constexpr double kLeastPixels = 16;
+  constexpr double kMostPixels = 8192;
+  Operation row;
+  row.verb = "render";
+  row.stage = Stage::analysis;
+  row.help = "Make a picture of the model, no display needed";
+  row.example = "scanwrap part.stl render --view=front --edges -o part.png";
+  row.parameters = {
+    { .name = "width",
+      .defaultValue = std::int64_t{ 1200 },
+      .help = "pixels",
+      .minimum = kLeastPixels,
+      .maximum = kMostPixels },
+    { .name = "height",
+      .defaultValue = std::int64_t{ 900 },
+      .help = "pixels",
+      .minimum = kLeastPixels,
+      .maximum = kMostPixels },
+    { .name = "view",
+      .defaultValue = "iso",
+      .help = "the side to look at; iso is right, front and above at once",
+      .choices = kViews },
+    { .name = "up",
+      .defaultValue = "z",
+      .help = "the axis that points up",
+      .choices = { "z", "y" } },
+    { .name = "perspective",
+      .defaultValue = true,
+      .help = "as through a lens, else a parallel projection" },
+    { .name = "edges", .defaultValue = false, .help = "draw the edges of the triangles" },
+    { .name = "color",
+      .defaultValue = "",
+      .help = "of the model: an HTML name or #rrggbb; empty for clay" },
+    { .name = "background",
+      .defaultValue = "",
+      .help = "an HTML name or #rrggbb; empty for a light gradient" },
+    { .name = "point-size",
+      .defaultValue = 0.0,
+      .help = "diameter of points in pixels; 0 makes points touch",
+      .minimum = 0,
+      .maximum = 100 },
+  };
+  row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
+  {
+    const auto filter = vtkSmartPointer<vtkScanRenderFilter>::New();
+    const auto view = std::ranges::find(kViews, get<std::string>(values, "view")) - kViews.begin();
+    filter->SetWidth(static_cast<int>(get<std::int64_t>(values, "width")));
+    filter->SetHeight(static_cast<int>(get<std::int64_t>(values, "height")));
+    filter->SetView(static_cast<vtkScanRenderFilter::ViewType>(view));
+    filter->SetUp(get<std::string>(values, "up") == "y" ? vtkScanRenderFilter::Y_UP
+                                                        : vtkScanRenderFilter::Z_UP);
+    filter->SetPerspective(get<bool>(values, "perspective"));
+    filter->SetEdges(get<bool>(values, "edges"));
+    filter->SetColor(get<std::string>(values, "color"));
+    filter->SetBackground(get<std::string>(values, "background"));
+    filter->SetPointSize(get<double>(values, "point-size"));
+    return filter;
+  };
+  return row;
+}
+
 } // namespace
 
 std::string_view nameOf(Stage stage)
@@ -148,7 +215,7 @@ std::string_view nameOf(Stage stage)
 
 const std::vector<Operation>& operationTable()
 {
-  static const std::vector<Operation> kTable{ wrapOperation(), infoOperation() };
+  static const std::vector<Operation> kTable{ wrapOperation(), infoOperation(), renderOperation() };
   return kTable;
 }
 

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+
+#include "app/cli/suggestion.h"
+#include "filters/base/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace scan
+{
+
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& message)
+{
+  throw Error(ErrorCode::badParameter, message);
+}
+
+/// "512M", "4G": a number and a power of 1024.
+std::int64_t parseBytes(const std::string& text)
+{
+  constexpr std::string_view kUnits = "KMGT";
+  double number = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto [end, status] = std::from_chars(text.data(), last, number);
+  const std::size_t power = end == last ? 0 : kUnits.find(*end) + 1;
+  if (status != std::errc() || last - end > 1 || (end != last && power == 0) ||
+    !(number >= 0.0 && number <= 1e6))
+  {
+    refuse("--max-memory=" + text + ": expected a size such as 512M or 4G");
+  }
+  for (std::size_t i = 0; i < power; ++i)
+  {
+    number *= 1024.0;
+  }
+  return static_cast<std::int64_t>(number);
+}
+
+std::vector<std::string> namesOf(const std::vector<Parameter>& parameters)
+{
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters)
+  {
+    names.push_back(parameter.name);
+  }
+  return names;
+}
+
+std::vector<std::string> verbs()
+{
+  std::vector<std::string> names;
+  for (const Operation& operation : operationTable())
+  {
+    names.push_back(operation.verb);
+  }
+  return names;
+}
+
+const Parameter* findParameter(const std::vector<Parameter>& parameters, std::string_view name)
+{
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  return found != parameters.end() ? &*found : nullptr;
+}
+
+class Parser
+{
+public:
+  explicit Parser(std::span<const std::string> words)
+    : Words(words)
+  {
+  }
+
+  CommandLine parse()
+  {
+    while (!this->Words.empty())
+    {
+      this->word(this->next());
+    }
+    this->finish();
+    return std::move(this->Line);
+  }
+
+private:
+  std::string next()
+  {
+    const std::string word = this->Words.front();
+    this->Words = this->Words.subspan(1);
+    return word;
+  }
+
+  void word(const std::string& word)
+  {
+    if (word == "-o")
+    {
+      if (this->Words.empty())
+      {
+        refuse("-o: expected the name of a file after it");
+      }
+      this->Line.steps.emplace_back(OutputWish{ this->next() });
+    }
+    else if (word == "-h")
+    {
+      this->option("help");
+    }
+    else if (word.starts_with("--"))
+    {
+      this->option(word.substr(2));
+    }
+    else if (word.size() > 1 && word.front() == '-')
+    {
+      refuse(word + ": there is no such option; see scanwrap --help");
+    }
+    else if (const Operation* operation = findOperation(word))
+    {
+      this->Line.steps.emplace_back(OperationWish{ operation, {} });
+      this->VerbIndex = this->Line.steps.size() - 1;
+    }
+    else
+    {
+      this->input(word);
+    }
+  }
+
+  void input(const std::string& word)
+  {
+    const bool isFile = word == "-" || std::filesystem::exists(std::filesystem::path(word));
+    const std::string similar = isFile ? "" : suggestion(word, verbs());
+    if (this->currentVerb() != nullptr)
+    {
+      refuse("'" + word + "' is no operation" +
+        (similar.empty() ? "; files stand before the first operation, see scanwrap --help"
+                         : similar));
+    }
+    if (!similar.empty())
+    {
+      refuse("'" + word + "' is neither a file nor an operation" + similar);
+    }
+    this->Line.inputs.push_back(word);
+  }
+
+  /// The verb that options belong to, or null before the first one.
+  OperationWish* currentVerb()
+  {
+    return this->VerbIndex ? &std::get<OperationWish>(this->Line.steps[*this->VerbIndex]) : nullptr;
+  }
+
+  /// name=value, or the bare name of a switch
+  void option(const std::string& text)
+  {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    OperationWish* const verb = this->currentVerb();
+    const Parameter* parameter =
+      verb != nullptr ? findParameter(verb->operation->parameters, name) : nullptr;
+    const bool isGlobal = parameter == nullptr;
+    if (isGlobal)
+    {
+      parameter = findParameter(globalOptions(), name);
+    }
+    if (parameter == nullptr)
+    {
+      this->refuseOption(name, verb);
+    }
+    const bool isSwitch = std::holds_alternative<bool>(parameter->defaultValue);
+    if (equals == std::string::npos && !isSwitch)
+    {
+      refuse("--" + name + ": expected --" + name + "=VALUE, " + rangeText(*parameter));
+    }
+    const std::string value = equals == std::string::npos ? "true" : text.substr(equals + 1);
+    (isGlobal ? this->Globals : verb->given)[name] = parseValue(*parameter, value);
+    if (isGlobal && name == "help" && verb != nullptr)
+    {
+      this->Line.helpVerb = verb->operation;
+    }
+  }
+
+  [[noreturn]] static void refuseOption(const std::string& name, const OperationWish* verb)
+  {
+    std::vector<std::string> names = namesOf(globalOptions());
+    std::string help = "scanwrap --help";
+    std::string where;
+    if (verb != nullptr)
+    {
+      const std::vector<std::string> own = namesOf(verb->operation->parameters);
+      names.insert(names.begin(), own.begin(), own.end());
+      help = "scanwrap " + verb->operation->verb + " --help";
+      where = verb->operation->verb + ": ";
+    }
+    for (std::string& candidate : names)
+    {
+      candidate.insert(0, "--");
+    }
+    const std::string similar = suggestion("--" + name, names);
+    refuse(where + "there is no option --" + name + (similar.empty() ? "; see " + help : similar));
+  }
+
+  template <class T>
+  T global(std::string_view name) const
+  {
+    const auto given = this->Globals.find(name);
+    return std::get<T>(given != this->Globals.end()
+        ? given->second
+        : findParameter(globalOptions(), name)->defaultValue);
+  }
+
+  void finish()
+  {
+    CommandLine& line = this->Line;
+    const auto progress = this->global<std::string>("progress");
+    const auto as = this->global<std::string>("as");
+    line.threads = static_cast<unsigned>(this->global<std::int64_t>("threads"));
+    line.maxMemory = parseBytes(this->global<std::string>("max-memory"));
+    line.quiet = this->global<bool>("quiet");
+    line.verbose = this->global<bool>("verbose");
+    line.dryRun = this->global<bool>("dry-run");
+    line.overwrite = this->global<bool>("overwrite");
+    line.json = this->global<std::string>("json");
+    line.progress = progress == "json" ? ProgressMode::json
+      : progress == "none"             ? ProgressMode::none
+                                       : ProgressMode::automatic;
+    line.readAs = as == "points" ? ReadAs::points : as == "mesh" ? ReadAs::mesh : ReadAs::automatic;
+    if (this->global<bool>("help"))
+    {
+      line.action = CommandLine::Action::help;
+    }
+    else if (this->global<bool>("version"))
+    {
+      line.action = CommandLine::Action::version;
+    }
+    else if (line.inputs.empty())
+    {
+      refuse("no input; name the files to open, or - for standard input, see scanwrap --help");
+    }
+  }
+
+  std::span<const std::string> Words;
+  CommandLine Line;
+  ParameterValues Globals;
+  std::optional<std::size_t> VerbIndex;
+};
+
+} // namespace
+
+const std::vector<Parameter>& globalOptions()
+{
+  static const std::vector<Parameter> kOptions{
+    { .name = "as",
+      .defaultValue = "auto",
+      .help = "what to take from the input files: what they hold, points only, or meshes only",
+      .choices = { "auto", "points", "mesh" } },
+    { .name = "overwrite", .defaultValue = false, .help = "replace outputs that exist" },
+    { .name = "json",
+      .defaultValue = "",
+      .help = "write a record of every step to this file, or to standard output (-)" },
+    { .name = "progress",
+      .defaultValue = "auto",
+      .help = "on stderr: a bar on a terminal, nothing, or a JSON object a line",
+      .choices = { "auto", "none", "json" } },
+    { .name = "threads",
+      .defaultValue = std::int64_t{ 0 },
+      .help = "number of threads; 0 for all cores",
+      .minimum = 0,
+      .maximum = 1024 },
+    { .name = "max-memory",
+      .defaultValue = "0",
+      .help = "give up (status 5) rather than use more memory, e.g. 4G; 0 for no limit" },
+    { .name = "dry-run", .defaultValue = false, .help = "check everything, then only say what" },
+    { .name = "quiet", .defaultValue = false, .help = "no progress and no tables" },
+    { .name = "verbose", .defaultValue = false, .help = "a line on stderr for every step" },
+    { .name = "help", .defaultValue = false, .help = "this help, or that of the verb before it" },
+    { .name = "version", .defaultValue = false, .help = "the version" },
+  };
+  return kOptions;
+}
+
+CommandLine parseCommandLine(std::span<const std::string> words)
+{
+  return Parser(words).parse();
+}
+
+} // namespace scan

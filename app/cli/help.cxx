@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/help.h"
+
+#include "app/cli/command_line.h"
+
+#include <fmt/format.h>
+
+namespace scan
+{
+
+namespace
+{
+
+std::string usageOf(const Parameter& parameter)
+{
+  if (std::holds_alternative<bool>(parameter.defaultValue))
+  {
+    return "--" + parameter.name;
+  }
+  return "--" + parameter.name + "=" +
+    (parameter.choices.empty() ? std::string("VALUE") : rangeText(parameter));
+}
+
+} // namespace
+
+std::string programHelp()
+{
+  std::string text =
+    "scanwrap - turns 3D scan points into surfaces\n\n"
+    "usage: scanwrap [options] FILE... [VERB [--option=value ...]]... [-o FILE]...\n"
+    "       scanwrap VERB --help\n\n"
+    "The files are opened, several as one model; the verbs work on it from left to\n"
+    "right; -o writes what there is at that place, a picture if it ends in .png.\n"
+    "- is standard input or output.\n\noperations:\n";
+  for (const Operation& operation : operationTable())
+  {
+    text += fmt::format("  {:<10} {:<10} {}\n", operation.verb,
+      fmt::format("({})", nameOf(operation.stage)), operation.help);
+  }
+  text += "\noptions:\n";
+  for (const Parameter& parameter : globalOptions())
+  {
+    text += fmt::format("  {:<28} {}\n", usageOf(parameter), parameter.help);
+  }
+  text += fmt::format(
+    "\nreads:  {}\nwrites: {}\n\nexamples:\n", readableExtensions(), writableExtensions());
+  for (const Operation& operation : operationTable())
+  {
+    text += "  " + operation.example + "\n";
+  }
+  text += "\nexit status: 0 done, 1 an operation failed, 2 wrong usage or unreadable input,\n"
+          "  3 a check failed, 4 cancelled, 5 over the memory limit\n";
+  return text;
+}
+
+std::string operationHelp(const Operation& operation)
+{
+  std::string text = fmt::format(
+    "scanwrap FILE... {} [--option=value ...]\n\n{}.\n", operation.verb, operation.help);
+  if (!operation.parameters.empty())
+  {
+    text += "\noptions:\n";
+  }
+  for (const Parameter& parameter : operation.parameters)
+  {
+    const std::string defaultText = textOf(parameter.defaultValue);
+    text += fmt::format("  --{}={}\n      {}{}\n", parameter.name, rangeText(parameter),
+      parameter.help, defaultText.empty() ? "" : "; default " + defaultText);
+  }
+  return text + "\nexample:\n  " + operation.example + "\n";
+}
+
+} // namespace scan

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/record.h"
+
+#include <vtkDataObject.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string_view>
+
+namespace scan
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+struct ToJson
+{
+  Json operator()(std::monostate) const { return nullptr; }
+  Json operator()(const Length& length) const { return length.text(); }
+  template <class T>
+  Json operator()(const T& value) const
+  {
+    return value;
+  }
+};
+
+template <class Pairs>
+Json objectOf(const Pairs& pairs)
+{
+  Json object = Json::object();
+  for (const auto& [name, value] : pairs)
+  {
+    object[name] = std::visit(ToJson{}, value);
+  }
+  return object;
+}
+
+std::string_view nameOf(vtkScanOutcome::State state)
+{
+  switch (state)
+  {
+    case vtkScanOutcome::State::ok:
+      return "ok";
+    case vtkScanOutcome::State::failed:
+      return "failed";
+    case vtkScanOutcome::State::cancelled:
+      return "cancelled";
+  }
+  return {};
+}
+
+struct ToText
+{
+  std::string operator()(std::monostate) const { return "-"; }
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(const std::string& value) const { return value; }
+  template <class Number>
+  std::string operator()(Number value) const
+  {
+    return fmt::format("{}", value);
+  }
+};
+
+} // namespace
+
+void Record::add(std::string verb, ParameterValues parameters, const StepResult& result)
+{
+  this->Steps.push_back({ std::move(verb), std::move(parameters), result });
+  this->Steps.back().result.output = nullptr;
+}
+
+std::string Record::json(int exitStatus, const std::string& failure) const
+{
+  Json record;
+  record["program"] = "scanwrap";
+  record["version"] = SCAN_VERSION;
+  record["status"] = exitStatus;
+  record["message"] = failure;
+  record["steps"] = Json::array();
+  for (const Step& step : this->Steps)
+  {
+    Json entry;
+    entry["verb"] = step.verb;
+    entry["parameters"] = objectOf(step.parameters);
+    entry["state"] = nameOf(step.result.outcome.state);
+    entry["seconds"] = step.result.seconds;
+    entry["peak-bytes"] = step.result.peakBytes;
+    entry["results"] = objectOf(step.result.results);
+    record["steps"].push_back(std::move(entry));
+  }
+  // names of files need not be UTF-8
+  return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string tableOf(const Results& results)
+{
+  std::size_t width = 0;
+  for (const auto& [name, value] : results)
+  {
+    width = std::max(width, name.size());
+  }
+  std::string text;
+  for (const auto& [name, value] : results)
+  {
+    text += fmt::format("{:<{}}  {}\n", name, width, std::visit(ToText{}, value));
+  }
+  return text;
+}
+
+} // namespace scan

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/session.h"
+
+#include "app/cli/record.h"
+#include "app/cli/terminal_progress.h"
+#include "filters/base/error.h"
+#include "pipeline/merge_models.h"
+#include "pipeline/output_files.h"
+#include "pipeline/runner.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace scan
+{
+
+namespace
+{
+
+using State = vtkScanOutcome::State;
+
+ExitStatus statusOf(ErrorCode code, ExitStatus otherwise)
+{
+  switch (code)
+  {
+    case ErrorCode::memory:
+      return ExitStatus::overMemory;
+    case ErrorCode::badParameter:
+      return ExitStatus::usage;
+    default:
+      return otherwise;
+  }
+}
+
+/// Turns the errors of preparations into the program's status.
+template <class Body>
+auto translated(ExitStatus otherwise, const Body& body)
+{
+  try
+  {
+    return body();
+  }
+  catch (const Cancelled&)
+  {
+    throw Failure(ExitStatus::cancelled, "cancelled");
+  }
+  catch (const Error& error)
+  {
+    throw Failure(statusOf(error.code(), otherwise), error.what());
+  }
+}
+
+class Session
+{
+public:
+  Session(const CommandLine& line, const CancelToken& token)
+    : Line(line)
+    , Progress(line.progress, line.quiet)
+  {
+    this->Options.threads = line.threads;
+    this->Options.token = token;
+    this->Options.progress = [this](std::string_view phase, double fraction)
+    { this->Progress.show(phase, fraction); };
+  }
+
+  /// Everything that can be refused without reading a model.
+  void check()
+  {
+    std::vector<std::string> outputs;
+    for (const CommandLine::Step& step : this->Line.steps)
+    {
+      if (const auto* output = std::get_if<OutputWish>(&step))
+      {
+        translated(ExitStatus::usage, [&] { formatToWrite(output->path); });
+        outputs.push_back(output->path);
+      }
+    }
+    if (!this->Line.json.empty())
+    {
+      outputs.push_back(this->Line.json);
+    }
+    this->IsOutputFree = std::ranges::find(outputs, "-") == outputs.end();
+    std::ranges::sort(outputs);
+    const auto twice = std::ranges::adjacent_find(outputs);
+    if (twice != outputs.end())
+    {
+      throw Failure(ExitStatus::usage, *twice + ": is an output twice; give each its own name");
+    }
+    for (const std::string& output : outputs)
+    {
+      translated(ExitStatus::usage, [&] { checkOutput(output, this->Line.overwrite); });
+    }
+    if (std::ranges::count(this->Line.inputs, "-") > 1)
+    {
+      throw Failure(ExitStatus::usage, "standard input can be read only once");
+    }
+    if (outputs.empty() && !this->hasAnalysis() && !this->Line.verbose && !this->Line.dryRun)
+    {
+      throw Failure(
+        ExitStatus::usage, "the result would be lost; add -o FILE, or info to measure it");
+    }
+    for (const std::string& input : this->Line.inputs)
+    {
+      this->InputFormats.push_back(
+        translated(ExitStatus::usage, [&] { return &formatToRead(input, this->Options.token); }));
+    }
+  }
+
+  void describe() const
+  {
+    std::string text;
+    for (std::size_t i = 0; i < this->Line.inputs.size(); ++i)
+    {
+      text += "open " + this->Line.inputs[i] + " (" + this->InputFormats[i]->name + ")\n";
+    }
+    for (const CommandLine::Step& step : this->Line.steps)
+    {
+      if (const auto* output = std::get_if<OutputWish>(&step))
+      {
+        text += "save " + output->path + " (" + formatToWrite(output->path).name + ")\n";
+        continue;
+      }
+      const auto& wish = std::get<OperationWish>(step);
+      text += wish.operation->verb;
+      for (const auto& [name, value] : completeValues(*wish.operation, wish.given))
+      {
+        text += " --" + name + "=" + textOf(value);
+      }
+      text += "\n";
+    }
+    writeText("-", text);
+  }
+
+  void run()
+  {
+    std::vector<vtkSmartPointer<vtkPolyData>> parts;
+    for (std::size_t i = 0; i < this->Line.inputs.size(); ++i)
+    {
+      parts.push_back(this->open(this->Line.inputs[i], *this->InputFormats[i]));
+    }
+    this->Model = mergeModels(parts);
+    for (const CommandLine::Step& step : this->Line.steps)
+    {
+      if (const auto* output = std::get_if<OutputWish>(&step))
+      {
+        this->save(output->path);
+      }
+      else
+      {
+        this->apply(std::get<OperationWish>(step));
+      }
+    }
+  }
+
+  void writeRecord(ExitStatus status, const std::string& message) const
+  {
+    if (!this->Line.json.empty())
+    {
+      translated(ExitStatus::failed,
+        [&] { writeText(this->Line.json, this->Steps.json(static_cast<int>(status), message)); });
+    }
+  }
+
+private:
+  bool hasAnalysis() const
+  {
+    return std::ranges::any_of(this->Line.steps,
+      [](const CommandLine::Step& step)
+      {
+        const auto* wish = std::get_if<OperationWish>(&step);
+        return wish != nullptr && wish->operation->stage == Stage::analysis;
+      });
+  }
+
+  vtkSmartPointer<vtkPolyData> open(const std::string& path, const Format& format)
+  {
+    const auto reader = format.makeReader(path, this->Line.readAs);
+    this->Progress.start("open");
+    const StepResult step = this->finish("open", { { "file", path } },
+      runAlgorithm(*reader, nullptr, this->Options), ExitStatus::usage);
+    return vtkPolyData::SafeDownCast(step.output);
+  }
+
+  void apply(const OperationWish& wish)
+  {
+    const Operation& operation = *wish.operation;
+    this->Progress.start(operation.verb);
+    const StepResult step = this->finish(operation.verb, completeValues(operation, wish.given),
+      runOperation(operation, wish.given, *this->Model, this->Options), ExitStatus::failed);
+    if (auto* const model = vtkPolyData::SafeDownCast(step.output))
+    {
+      this->Model = model;
+      this->Picture = nullptr;
+    }
+    else
+    {
+      this->Picture = step.output;
+    }
+    if (operation.stage == Stage::analysis && !step.results.empty() && !this->Line.quiet)
+    {
+      const std::string table = tableOf(step.results);
+      if (this->IsOutputFree)
+      {
+        translated(ExitStatus::failed, [&] { writeText("-", table); });
+      }
+      else
+      {
+        fmt::print(stderr, "{}", table);
+      }
+    }
+  }
+
+  void save(const std::string& path)
+  {
+    const Format& format = formatToWrite(path);
+    vtkDataObject* data = this->Model;
+    if (format.isPicture)
+    {
+      if (this->Picture == nullptr)
+      {
+        this->apply({ findOperation("render"), {} });
+      }
+      data = this->Picture;
+    }
+    const auto writer = format.makeWriter(path);
+    this->Progress.start("save");
+    this->finish(
+      "save", { { "file", path } }, runAlgorithm(*writer, data, this->Options), ExitStatus::failed);
+  }
+
+  /// Records a step and throws unless it went well.
+  StepResult finish(const std::string& verb, const ParameterValues& parameters, StepResult step,
+    ExitStatus ifFailed)
+  {
+    this->Progress.finish();
+    if (auto* const model = vtkPolyData::SafeDownCast(step.output))
+    {
+      step.results.emplace_back("output-points", std::int64_t{ model->GetNumberOfPoints() });
+      step.results.emplace_back("output-triangles", std::int64_t{ model->GetNumberOfPolys() });
+    }
+    this->Steps.add(verb, parameters, step);
+    if (step.outcome.state == State::cancelled)
+    {
+      throw Failure(ExitStatus::cancelled, "cancelled");
+    }
+    if (step.outcome.state == State::failed)
+    {
+      const bool isFile = verb == "open" || verb == "save"; // their messages name the file
+      throw Failure(statusOf(step.outcome.code, ifFailed),
+        isFile ? step.outcome.message : verb + ": " + step.outcome.message);
+    }
+    if (this->Line.verbose)
+    {
+      fmt::print(stderr, "{}: {:.2f} s, {:.0f} MB\n{}", verb, step.seconds,
+        static_cast<double>(step.peakBytes) / 1e6, tableOf(step.results));
+    }
+    return step;
+  }
+
+  const CommandLine& Line;
+  TerminalProgress Progress;
+  RunOptions Options;
+  Record Steps;
+  std::vector<const Format*> InputFormats;
+  bool IsOutputFree = true; // nobody asked for data on standard output
+  vtkSmartPointer<vtkPolyData> Model;
+  vtkSmartPointer<vtkDataObject> Picture; // of the model as it is
+};
+
+} // namespace
+
+void runSession(const CommandLine& line, const CancelToken& token)
+{
+  Session session(line, token);
+  session.check();
+  if (line.dryRun)
+  {
+    session.describe();
+    return;
+  }
+  try
+  {
+    session.run();
+  }
+  catch (const Failure& failure)
+  {
+    session.writeRecord(failure.status(), failure.what());
+    throw;
+  }
+  session.writeRecord(ExitStatus::done, "");
+}
+
+} // namespace scan
