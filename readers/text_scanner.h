@@ -5,8 +5,10 @@
 #include "readers/source.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -93,6 +95,45 @@ std::string quoted(std::string_view text);
 /// The first byte behind a UTF-8 byte order mark; throws Error parse for UTF-16 text.
 const char* skipByteOrderMark(const Source& source);
 
+/// Reads the digits at `at` and appends them to the mantissa, modulo 2^64.
+/// @return the character behind the digits
+inline const char* readDigits(const char* at, const char* end, std::uint64_t& mantissa)
+{
+  static_assert(std::endian::native == std::endian::little);
+  static constexpr std::uint64_t kPowers[] = { 1, 10, 100, 1000, 10000, 100000, 1000000, 10000000,
+    100000000 };
+  // Eight characters at once, without a branch on their number: scans are read at memory speed.
+  while (end - at >= 8)
+  {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, at, sizeof(eight));
+    eight ^= 0x3030303030303030U; // digits become 0 to 9
+    const std::uint64_t others =
+      ((eight + 0x0606060606060606U) | eight) & 0xf0f0f0f0f0f0f0f0U; // exact up to the first
+    const int count = std::countr_zero(others) / 8;
+    if (count == 0)
+    {
+      return at;
+    }
+    eight <<= 64 - 8 * count;
+    eight = eight * 10 + (eight >> 8U); // pairs of digits, then fours, then the number
+    eight = ((eight & 0x000000ff000000ffU) * 0x000f424000000064U +
+              ((eight >> 16U) & 0x000000ff000000ffU) * 0x0000271000000001U) >>
+      32U;
+    mantissa = mantissa * kPowers[count] + eight;
+    at += count;
+    if (count < 8)
+    {
+      return at;
+    }
+  }
+  for (; at != end && isDigit(*at); ++at)
+  {
+    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+  }
+  return at;
+}
+
 /// parseNumber for the rare cases: many digits, large exponents, inf and nan.
 const char* parseAnyNumber(const char* at, const char* end, double& value);
 
@@ -102,26 +143,20 @@ const char* parseAnyNumber(const char* at, const char* end, double& value);
 inline const char* parseNumber(const char* at, const char* end, double& value)
 {
   // Up to 2^53 the mantissa is exact, and so are powers of ten up to 10^22: one rounding.
-  constexpr double kPowers[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
-    1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+  static constexpr double kPowers[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10,
+    1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
   const char* const start = at;
   const bool negative = at != end && *at == '-';
   at += at != end && (*at == '-' || *at == '+');
   std::uint64_t mantissa = 0;
   const char* const whole = at;
-  for (; at != end && isDigit(*at); ++at)
-  {
-    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
-  }
+  at = readDigits(at, end, mantissa);
   std::ptrdiff_t digits = at - whole;
   std::ptrdiff_t decimals = 0;
   if (at != end && *at == '.')
   {
     const char* const fraction = ++at;
-    for (; at != end && isDigit(*at); ++at)
-    {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
-    }
+    at = readDigits(at, end, mantissa);
     decimals = at - fraction;
     digits += decimals;
   }
@@ -131,7 +166,9 @@ inline const char* parseNumber(const char* at, const char* end, double& value)
     return parseAnyNumber(start, end, value);
   }
   const double magnitude = static_cast<double>(mantissa) / kPowers[decimals];
-  value = negative ? -magnitude : magnitude;
+  // no branch: the sign of a coordinate is hard to predict
+  value = std::bit_cast<double>(
+    std::bit_cast<std::uint64_t>(magnitude) | (static_cast<std::uint64_t>(negative) << 63U));
   return at;
 }
 

@@ -148,7 +148,7 @@ TEST(PointsText, ReportsProgress)
   scan::Execution execution(1, {}, [&](std::string_view, double) { ++reports; });
   execution.plan({ { "read", 1.0 } });
   scan::parsePointsText(text, "file", execution);
-  EXPECT_GE(reports, text.size() >> 20U);
+  EXPECT_GE(reports, text.size() >> 21U);
 }
 
 TEST(PointsText, KnowsItsOwn)
