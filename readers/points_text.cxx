@@ -82,7 +82,7 @@ LineKind readLine(const char*& at, const char* end, Vec3& point)
   const char* const x = parseColumn(at, end, point.x);
   if (x == nullptr)
   {
-    const bool isNumber = isDigit(*at) || *at == '-' || *at == '+' || *at == '.';
+    const bool isNumber = at != end && (isDigit(*at) || *at == '-' || *at == '+' || *at == '.');
     return isNumber ? LineKind::broken : LineKind::words;
   }
   const char* const second = skipSeparator(x, end);

@@ -30,6 +30,7 @@ VertexWelder::VertexWelder(std::vector<Vec3>& points, std::size_t expected)
   : Points(points)
   , Slots(std::bit_ceil(expected * 2 + 16), kNone)
 {
+  this->Points.reserve(expected);
 }
 
 Index VertexWelder::add(const Vec3& point)

@@ -16,7 +16,7 @@ class VertexWelder
 {
 public:
   /// @param points where new points go; starts empty and is changed by nobody else
-  /// @param expected number of distinct points; a guess, only time depends on it
+  /// @param expected number of distinct points; a guess, only time and storage depend on it
   VertexWelder(std::vector<Vec3>& points, std::size_t expected);
 
   /// Throws Error limit for the 2^32 - 1st distinct point.
