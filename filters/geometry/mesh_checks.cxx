@@ -3,6 +3,7 @@
 #include "filters/geometry/mesh_checks.h"
 
 #include "filters/geometry/half_edges.h"
+#include "filters/geometry/union_find.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,20 +157,11 @@ void Survey::measureEdges()
 
 void Survey::labelComponents()
 {
-  std::vector<Index> parent(this->Mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), Index{ 0 });
-  const auto root = [&](Index t)
-  {
-    while (parent[t] != t)
-    {
-      t = parent[t] = parent[parent[t]];
-    }
-    return t;
-  };
+  UnionFind sets(this->Mesh.triangles.size());
   const auto unite = [&](Index a, Index b)
   {
-    const auto [low, high] = std::minmax({ root(a), root(b) });
-    parent[high] = low;
+    const auto [low, high] = std::minmax({ sets.root(a), sets.root(b) });
+    sets.join(low, high);
   };
   for (Index half = 0; half < this->Pairs.mate.size(); ++half)
   {
@@ -187,14 +179,15 @@ void Survey::labelComponents()
       unite(half / 3, this->crowded(edge).front() / 3);
     }
   }
-  this->Component.assign(parent.size(), kNone);
-  for (Index t = 0; t < parent.size(); ++t)
+  this->Component.assign(this->Mesh.triangles.size(), kNone);
+  for (Index t = 0; t < this->Component.size(); ++t)
   {
     if (isCollapsed(this->Mesh.triangles[t]))
     {
       continue;
     }
-    const Index first = root(t); // the component's first triangle: already labelled or t itself
+    const Index first =
+      sets.root(t); // the component's first triangle: already labelled or t itself
     if (first == t)
     {
       this->Component[t] = static_cast<Index>(this->Report.components.size());
