@@ -7,6 +7,7 @@
 #include "filters/base/error.h"
 #include "pipeline/output_files.h"
 
+#include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 
 #include <fmt/format.h>
@@ -77,7 +78,8 @@ int fail(ExitStatus status, const char* message)
 int main(int argc, char** argv)
 {
   handleSignals();
-  vtkOutputWindow::GetInstance()->SetDisplayModeToNever(); // errors are reported once, by us
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // errors are reported once, by us
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   try
   {
     run({ argv + 1, argv + argc });

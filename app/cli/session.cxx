@@ -192,8 +192,10 @@ private:
   {
     const Operation& operation = *wish.operation;
     this->Progress.start(operation.verb);
-    const StepResult step = this->finish(operation.verb, completeValues(operation, wish.given),
-      runOperation(operation, wish.given, *this->Model, this->Options), ExitStatus::failed);
+    StepResult found = runOperation(operation, wish.given, *this->Model, this->Options);
+    const std::string table = tableOf(found.results);
+    const StepResult step = this->finish(
+      operation.verb, completeValues(operation, wish.given), std::move(found), ExitStatus::failed);
     if (auto* const model = vtkPolyData::SafeDownCast(step.output))
     {
       this->Model = model;
@@ -203,9 +205,8 @@ private:
     {
       this->Picture = step.output;
     }
-    if (operation.stage == Stage::analysis && !step.results.empty() && !this->Line.quiet)
+    if (operation.stage == Stage::analysis && !table.empty() && !this->Line.quiet)
     {
-      const std::string table = tableOf(step.results);
       if (this->IsOutputFree)
       {
         translated(ExitStatus::failed, [&] { writeText("-", table); });

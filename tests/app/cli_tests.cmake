@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: The Scanwrap authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# What works
+scan_cli_test(WrapTorus "scanwrap $DATA/torus.xyz wrap info -o out.stl" FILES out.stl
+  OUT "triangles +10000\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(WrapPly "scanwrap $DATA/multiview_scan.ply wrap -o out.ply" FILES out.ply)
+scan_cli_test(Classic "scanwrap $DATA/plate_hole.xyz wrap --mode=classic info" OUT "triangles +9238\n")
+scan_cli_test(SeveralOutputs "scanwrap $DATA/torus.xyz -o out1.ply wrap -o out2.obj -o out3.stl"
+  FILES out1.ply out2.obj out3.stl)
+scan_cli_test(FilesAreMerged "scanwrap $DATA/torus.xyz $DATA/helix.xyz info" OUT "^points +5425\n")
+scan_cli_test(MeshAsPoints "scanwrap $DATA/torus.xyz wrap -o m.stl && scanwrap --as=points m.stl info"
+  OUT "^points +5000\ntriangles +0\n")
+scan_cli_test(Pipe "cat $DATA/torus.xyz | scanwrap - wrap -o - | scanwrap - info" OUT "triangles +10000\n")
+scan_cli_test(RedirectedInput "scanwrap - info < $DATA/torus.xyz" OUT "^points +5000\n")
+scan_cli_test(TableLeavesDataAlone "scanwrap $DATA/torus.xyz wrap info -o - 2> err > m.ply; head -c 4 m.ply; grep -q genus err"
+  OUT "^ply\n")
+scan_cli_test(Picture "scanwrap $DATA/torus.xyz render --width=64 --height=48 -o out.png && file -b out.png || od -An -c -N4 out.png"
+  FILES out.png OUT "PNG|P +N +G")
+scan_cli_test(PictureByDefault "scanwrap $DATA/torus.xyz -o out.png" FILES out.png)
+scan_cli_test(Record "scanwrap $DATA/torus.xyz wrap --quiet --json=- | python3 -c 'import json, sys; r = json.load(sys.stdin); print([s[\"verb\"] for s in r[\"steps\"]], r[\"status\"], r[\"steps\"][1][\"results\"][\"points-read\"])'"
+  OUT "'open', 'wrap'. 0 5000")
+scan_cli_test(RecordOfFailure "scanwrap $DATA/torus.xyz info --quiet -o out.stl --json=r.json; grep -c '\"state\": \"failed\"' r.json"
+  OUT "^1\n")
+scan_cli_test(JsonProgress "scanwrap $DATA/torus.xyz wrap --progress=json -o out.stl"
+  FILES out.stl ERR "\"verb\":\"wrap\",\"phase\":\"[^\"]+\",\"fraction\":")
+scan_cli_test(DryRun "scanwrap $DATA/torus.xyz wrap --dry-run -o out.stl"
+  OUT "open .*wrap --fit=all --manifold=true --mode=auto\nsave out.stl")
+scan_cli_test(Overwrite "touch out.stl; scanwrap $DATA/helix.xyz wrap --overwrite -o out.stl; test -s out.stl"
+  FILES out.stl)
+scan_cli_test(SameBytesOnAnyThreads "for n in 1 2 5; do scanwrap $DATA/torus.xyz --threads=$n wrap -o - | md5sum; done | sort -u | wc -l"
+  OUT "^1\n")
+scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
+scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic\n.*example:\n  scanwrap ")
+scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
+
+# Wrong usage: refused before any work
+scan_cli_test(NoInput "scanwrap" EXIT 2 ERR "no input")
+scan_cli_test(MistypedVerb "scanwrap $DATA/torus.xyz wrpa -o out.stl" EXIT 2 ERR "did you mean 'wrap'")
+scan_cli_test(MistypedOption "scanwrap $DATA/torus.xyz wrap --mod=auto" EXIT 2 ERR "did you mean '--mode'")
+scan_cli_test(MistypedGlobal "scanwrap --overwite $DATA/torus.xyz" EXIT 2 ERR "did you mean '--overwrite'")
+scan_cli_test(WrongChoice "scanwrap $DATA/torus.xyz wrap --mode=foo -o out.stl" EXIT 2 ERR "auto.classic")
+scan_cli_test(OutOfRange "scanwrap $DATA/torus.xyz render --width=9 -o out.png" EXIT 2 ERR "from 16 to 8192")
+scan_cli_test(FileAfterVerb "scanwrap $DATA/torus.xyz wrap $DATA/helix.xyz -o out.stl" EXIT 2 ERR "files stand before")
+scan_cli_test(ResultLost "scanwrap $DATA/torus.xyz wrap" EXIT 2 ERR "-o FILE")
+scan_cli_test(OutputExists "touch out.stl; scanwrap $DATA/torus.xyz wrap -o out.stl" EXIT 2 ERR "exists already.*--overwrite"
+  FILES out.stl)
+scan_cli_test(OutputTwice "scanwrap $DATA/torus.xyz -o out.stl wrap -o out.stl" EXIT 2 ERR "twice")
+scan_cli_test(UnknownExtension "scanwrap $DATA/torus.xyz wrap -o out.foo" EXIT 2 ERR "stl")
+scan_cli_test(MissingFolder "scanwrap $DATA/torus.xyz wrap -o nowhere/out.stl" EXIT 2 ERR "nowhere/out.stl.*folder")
+scan_cli_test(OutputIsFolder "mkdir d.stl; scanwrap $DATA/torus.xyz wrap -o d.stl" EXIT 2 ERR "is a directory")
+
+# Unreadable input
+scan_cli_test(MissingFile "scanwrap none.xyz wrap -o out.stl" EXIT 2 ERR "none.xyz.*No such file")
+scan_cli_test(Directory "mkdir d; scanwrap d wrap -o out.stl" EXIT 2 ERR "d: is a directory")
+scan_cli_test(EmptyFile "touch in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz.*empty")
+scan_cli_test(EmptyPipe "scanwrap - wrap -o out.stl < /dev/null" EXIT 2 ERR "standard input.*empty")
+scan_cli_test(NotAScan "head -c 999 /dev/zero > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz")
+scan_cli_test(UnknownContent "head -c 999 /dev/zero > in.foo; scanwrap in.foo wrap -o out.stl" EXIT 2 ERR "no known format")
+scan_cli_test(NotANumber "printf '0 0 0\\nnan 0 1\\n1 1 1\\n' > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: .*line 2")
+scan_cli_test(Infinity "printf '0 0 0\\n1 inf 1\\n1 1 1\\n' > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: .*line 2")
+scan_cli_test(HugeCoordinates "printf '0 0 0\\n1e300 0 1\\n1 1 1\\n0 1 0\\n' > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz")
+scan_cli_test(TruncatedPly "head -c 3000 $DATA/multiview_scan.ply > in.ply; scanwrap in.ply wrap -o out.stl" EXIT 2 ERR "in.ply")
+scan_cli_test(CountBeyondFile "printf 'ply\\nformat binary_little_endian 1.0\\nelement vertex 4000000000\\nproperty float x\\nproperty float y\\nproperty float z\\nend_header\\n' > in.ply; scanwrap in.ply wrap -o out.stl"
+  EXIT 2 ERR "in.ply")
+
+# Points that have no surface
+scan_cli_test(OnePoint "echo 1 2 3 > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "wrap: ")
+scan_cli_test(EqualPoints "for i in 1 2 3 4 5 6; do echo 1 2 3; done > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "wrap: ")
+scan_cli_test(CollinearPoints "for i in 1 2 3 4 5 6; do echo $i $i $i; done > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "wrap: ")
+scan_cli_test(CoplanarPoints "for i in 1 2 3; do for j in 1 2 3; do echo $i $j 0; done; done > in.xyz; scanwrap in.xyz wrap -o out.stl"
+  EXIT 1 ERR "wrap: ")
+
+# The machine's limits
+scan_cli_test(FullDisk "scanwrap $DATA/torus.xyz wrap -o - > /dev/full" EXIT 1 ERR "standard output: disk full")
+scan_cli_test(FileTooLarge "ulimit -f 100; scanwrap $DATA/torus.xyz wrap -o out.stl" EXIT 1 ERR "out.stl.*larger than the system allows")
+scan_cli_test(OverMemory "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=40M in.xyz wrap -o out.stl" EXIT 5 ERR "out of memory")
+scan_cli_test(OverMemoryWhileReading "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=4M in.xyz wrap -o out.stl" EXIT 5 ERR "out of memory")
+scan_cli_test(Interrupt "awk 'BEGIN { srand(1); for (i = 0; i < 300000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz wrap -o out.stl & sleep 1; kill -INT $!; wait $!"
+  EXIT 4 ERR "cancelled")
