@@ -33,6 +33,7 @@ using Point = Kernel::Point_3;
 
 constexpr double kLargestCoordinate = 1e50; // its sixth power is still a double
 constexpr Index kMostTetrahedra = kNone / 4;
+constexpr std::size_t kGrain = 1 << 14; // cells a task
 
 void checkCoordinates(std::span<const Vec3> points)
 {
@@ -164,36 +165,51 @@ void numberVertices(Triangulation& triangulation, const std::vector<Index>& firs
 
 /// The finite cells ordered by their smallest vertex (counting sort); each cell's info becomes its
 /// number, kNone for infinite cells.
-std::vector<Triangulation::Cell_handle> numberCells(
-  Triangulation& triangulation, std::size_t vertexCount)
+LargeArray<Triangulation::Cell_handle> numberCells(
+  Triangulation& triangulation, std::size_t vertexCount, Execution& execution)
 {
-  const auto smallestVertex = [](const Triangulation::Cell_handle& cell)
-  {
-    return std::min({ cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
-      cell->vertex(3)->info() });
-  };
-  std::vector<Index> next(vertexCount + 1, 0);
+  LargeArray<Triangulation::Cell_handle> found;
+  found.reserve(triangulation.number_of_cells());
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
   {
-    cell->info() = triangulation.is_infinite(cell) ? kNone : smallestVertex(cell);
+    found.push_back(cell);
+  }
+  execution.parallelFor(found.size(), kGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto cell = found[i];
+        cell->info() = triangulation.is_infinite(cell)
+          ? kNone
+          : std::min({ cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
+              cell->vertex(3)->info() });
+      }
+    });
+  std::vector<Index> next(vertexCount + 1, 0);
+  for (const auto cell : found)
+  {
     next[cell->info() + 1] += cell->info() != kNone; // kNone + 1 wraps to 0: nothing is added
   }
   std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<Triangulation::Cell_handle> cells(triangulation.number_of_finite_cells());
-  for (const auto cell : triangulation.finite_cell_handles())
+  LargeArray<Triangulation::Cell_handle> cells(triangulation.number_of_finite_cells());
+  for (const auto cell : found)
   {
-    cell->info() = next[cell->info()]++;
-    cells[cell->info()] = cell;
+    if (cell->info() != kNone)
+    {
+      cell->info() = next[cell->info()]++;
+      cells[cell->info()] = cell;
+    }
   }
   return cells;
 }
 
-void copyCells(const std::vector<Triangulation::Cell_handle>& cells, DelaunayComplex& complex,
+void copyCells(const LargeArray<Triangulation::Cell_handle>& cells, DelaunayComplex& complex,
   Execution& execution)
 {
   complex.tetrahedra.resize(cells.size());
   complex.mirror.resize(cells.size());
-  execution.parallelFor(cells.size(), 1 << 14,
+  execution.parallelFor(cells.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t tet = begin; tet < end; ++tet)
@@ -238,7 +254,7 @@ DelaunayComplex buildDelaunayComplex(std::span<const Vec3> input, Execution& exe
   DelaunayComplex complex;
   numberVertices(triangulation, firstIndex, input, complex);
   execution.step("triangulate", 9, 10);
-  copyCells(numberCells(triangulation, complex.points.size()), complex, execution);
+  copyCells(numberCells(triangulation, complex.points.size(), execution), complex, execution);
   execution.step("triangulate", 1, 1);
   return complex;
 }

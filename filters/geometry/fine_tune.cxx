@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/cut_refinement.h"
 
+#include "filters/geometry/collect.h"
 #include "filters/geometry/scan_spacing.h"
 
 #include <algorithm>
@@ -43,29 +44,14 @@ public:
   /// The tetrahedra whose flip would pay now.
   std::vector<Index> findCandidates(Execution& execution) const
   {
-    constexpr std::size_t kGrain = 1 << 14;
-    std::vector<std::vector<Index>> found(this->Complex.tetCount() / kGrain + 1);
-    execution.parallelFor(found.size(), 1,
-      [&](std::size_t begin, std::size_t end)
+    return collect<Index>(this->Complex.tetCount(), execution,
+      [this](Index tet, std::vector<Index>& found)
       {
-        for (std::size_t chunk = begin; chunk < end; ++chunk)
+        if (this->gain(tet) > kLeastGain)
         {
-          const auto last = std::min<std::size_t>(kGrain * (chunk + 1), this->Complex.tetCount());
-          for (auto tet = static_cast<Index>(kGrain * chunk); tet < last; ++tet)
-          {
-            if (this->gain(tet) > kLeastGain)
-            {
-              found[chunk].push_back(tet);
-            }
-          }
+          found.push_back(tet);
         }
       });
-    std::vector<Index> candidates;
-    for (const auto& chunk : found)
-    {
-      candidates.insert(candidates.end(), chunk.begin(), chunk.end());
-    }
-    return candidates;
   }
 
   /// Flips those candidates that still pay; returns the tetrahedra around the flipped ones.

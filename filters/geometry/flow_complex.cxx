@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/flow_complex.h"
 
+#include "filters/geometry/collect.h"
 #include "filters/geometry/exact_flow_signs.h"
 
 #include <algorithm>
@@ -208,44 +209,30 @@ bool findsCriticalEdge(const FlowComplex& flow, Facet start, Index apex)
 
 } // namespace
 
-std::vector<CriticalEdge> criticalEdges(const FlowComplex& flow, Execution& execution)
+std::vector<CriticalEdge> criticalEdges(
+  const FlowComplex& flow, Execution& execution, const std::function<bool(Facet)>& wanted)
 {
   const DelaunayComplex& complex = flow.delaunay();
-  constexpr std::size_t kGrain = 1 << 14;
-  std::vector<std::vector<CriticalEdge>> found(complex.tetCount() / kGrain + 1);
   execution.step("edges", 0, 1);
-  execution.parallelFor(found.size(), 1,
-    [&](std::size_t begin, std::size_t end)
+  return collect<CriticalEdge>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
     {
-      for (std::size_t chunk = begin; chunk < end; ++chunk)
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
       {
-        const auto first = static_cast<Facet>(4 * kGrain * chunk);
-        const auto last =
-          static_cast<Facet>(4 * std::min<std::size_t>(kGrain * (chunk + 1), complex.tetCount()));
-        for (Facet facet = first; facet < last; ++facet)
+        if (complex.canonical(facet) != facet || !flow.isFree(facet) || !wanted(facet))
         {
-          if (!flow.isFree(facet) || complex.canonical(facet) != facet)
+          continue;
+        }
+        const Triangle v = complex.facetVertices(facet);
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          if (findsCriticalEdge(flow, facet, v[corner]))
           {
-            continue;
-          }
-          const Triangle v = complex.facetVertices(facet);
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            if (findsCriticalEdge(flow, facet, v[corner]))
-            {
-              found[chunk].push_back(
-                { { v[(corner + 1) % 3], v[(corner + 2) % 3] }, facet, v[corner] });
-            }
+            found.push_back({ { v[(corner + 1) % 3], v[(corner + 2) % 3] }, facet, v[corner] });
           }
         }
       }
     });
-  std::vector<CriticalEdge> edges;
-  for (const auto& chunk : found)
-  {
-    edges.insert(edges.end(), chunk.begin(), chunk.end());
-  }
-  return edges;
 }
 
 } // namespace scan

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace scan
@@ -91,7 +92,10 @@ struct CriticalEdge
   Index apex; ///< the vertex of the triangle that is not on the edge
 };
 
-/// All critical edges (the Gabriel edges), in the order of their triangles. Reports phase "edges".
-std::vector<CriticalEdge> criticalEdges(const FlowComplex& flow, Execution& execution);
+/// All critical edges (the Gabriel edges), in the order of their triangles: of each edge the first
+/// free triangle; only edges for which that triangle is `wanted`. Reports phase "edges".
+std::vector<CriticalEdge> criticalEdges(
+  const FlowComplex& flow, Execution& execution,
+  const std::function<bool(Facet)>& wanted = [](Facet) { return true; });
 
 } // namespace scan

@@ -63,19 +63,22 @@ WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
   const FlowComplex flow(complex, execution);
   const WrapComplex kept = collapseFromOutside(flow, execution);
   WrapResult result;
-  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+  for (Index tet = 0; tet < complex.tetCount(); ++tet)
   {
-    const Index tet = facet / 4;
-    result.report.tetrahedraKept += facet % 4 == 0 && kept.keepsTet(tet) ? 1 : 0;
-    if (kept.keepsTet(tet) && kept.keptSides(facet) == 1)
+    const bool isKept = kept.keepsTet(tet);
+    result.report.tetrahedraKept += isKept ? 1 : 0;
+    for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
     {
-      ++result.report.boundaryTriangles;
-      result.surface.triangles.push_back(complex.facetVertices(facet));
-    }
-    else if (complex.canonical(facet) == facet && kept.isSheet(facet))
-    {
-      ++result.report.sheetTriangles;
-      result.surface.triangles.push_back(complex.facetVertices(facet));
+      if (isKept && kept.keptSides(facet) == 1)
+      {
+        ++result.report.boundaryTriangles;
+        result.surface.triangles.push_back(complex.facetVertices(facet));
+      }
+      else if (!isKept && kept.isSheet(facet) && complex.canonical(facet) == facet)
+      {
+        ++result.report.sheetTriangles;
+        result.surface.triangles.push_back(complex.facetVertices(facet));
+      }
     }
   }
   result.lines = keptLines(kept, execution);

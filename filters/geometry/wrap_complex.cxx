@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap_complex.h"
 
-#include <algorithm>
+#include <atomic>
 #include <bit>
 
 namespace scan
@@ -17,17 +17,68 @@ struct Question
   Index name;
 };
 
-/// Decides for every interval [L, U] whether it stays: it does when critical or when a coface of L
+enum class Fate : std::uint8_t
+{
+  unknown,
+  stays,
+  goes
+};
+
+/// The answers so far, shared by all threads. Whoever asks gets the same answer, so it does no harm
+/// when two threads work one out at the same time.
+class Fates
+{
+public:
+  explicit Fates(Index tetCount)
+    : OfTet(tetCount, 0)
+    , OfTriangle(tetCount, 0)
+  {
+  }
+
+  Fate known(Question question) const
+  {
+    const std::uint8_t stored = question.aboutTet
+      ? load(this->OfTet[question.name])
+      : load(this->OfTriangle[question.name / 4]) >> (2 * (question.name % 4)) & 3U;
+    return static_cast<Fate>(stored);
+  }
+
+  void remember(Question question, Fate fate)
+  {
+    const auto stored = static_cast<unsigned>(fate);
+    if (question.aboutTet)
+    {
+      std::atomic_ref(this->OfTet[question.name])
+        .store(static_cast<std::uint8_t>(stored), std::memory_order_relaxed);
+    }
+    else
+    {
+      std::atomic_ref(this->OfTriangle[question.name / 4])
+        .fetch_or(static_cast<std::uint8_t>(stored << (2 * (question.name % 4))),
+          std::memory_order_relaxed);
+    }
+  }
+
+private:
+  static std::uint8_t load(const std::uint8_t& place)
+  {
+    return std::atomic_ref(const_cast<std::uint8_t&>(place)).load(std::memory_order_relaxed);
+  }
+
+  std::vector<std::uint8_t> OfTet;
+  std::vector<std::uint8_t> OfTriangle; ///< two bits a facet, at canonical free facets
+};
+
+/// Decides for intervals [L, U] whether they stay: they do when critical or when a coface of L
 /// outside the interval stays. The relation is acyclic, so the questions are answered depth first
 /// on an explicit stack, each answer remembered.
 class Collapse
 {
 public:
-  explicit Collapse(const FlowComplex& flow)
+  Collapse(const FlowComplex& flow, Fates& fates)
     : Flow(flow)
     , Complex(flow.delaunay())
-    , TetFate(Complex.tetCount(), Fate::unknown)
-    , TriangleFate(Complex.tetCount(), 0)
+    , Answers(fates)
   {
   }
 
@@ -38,7 +89,7 @@ public:
     while (!this->Pending.empty())
     {
       const Question top = this->Pending.back();
-      fate = this->known(top);
+      fate = this->Answers.known(top);
       if (fate == Fate::unknown)
       {
         fate = top.aboutTet ? this->decideTet(top.name) : this->decideTriangle(top.name);
@@ -46,7 +97,7 @@ public:
         {
           continue; // a coface was pushed: first things first
         }
-        this->remember(top, fate);
+        this->Answers.remember(top, fate);
       }
       this->Pending.pop_back();
     }
@@ -54,40 +105,10 @@ public:
   }
 
 private:
-  enum class Fate : std::uint8_t
-  {
-    unknown,
-    stays,
-    goes
-  };
-
-  Fate known(Question question) const
-  {
-    if (question.aboutTet)
-    {
-      return this->TetFate[question.name];
-    }
-    return static_cast<Fate>(
-      this->TriangleFate[question.name / 4] >> (2 * (question.name % 4)) & 3U);
-  }
-
-  void remember(Question question, Fate fate)
-  {
-    if (question.aboutTet)
-    {
-      this->TetFate[question.name] = fate;
-    }
-    else
-    {
-      this->TriangleFate[question.name / 4] |=
-        static_cast<std::uint8_t>(static_cast<unsigned>(fate) << (2 * (question.name % 4)));
-    }
-  }
-
   /// The fate if known; otherwise asks and returns unknown.
   Fate ask(Question question)
   {
-    const Fate fate = this->known(question);
+    const Fate fate = this->Answers.known(question);
     if (fate == Fate::unknown)
     {
       this->Pending.push_back(question);
@@ -125,7 +146,7 @@ private:
     Question unanswered{ true, kNone };
     const auto goes = [&](Question question)
     {
-      const Fate fate = this->known(question);
+      const Fate fate = this->Answers.known(question);
       if (fate == Fate::unknown)
       {
         unanswered = question;
@@ -156,8 +177,7 @@ private:
 
   const FlowComplex& Flow;
   const DelaunayComplex& Complex;
-  std::vector<Fate> TetFate;
-  std::vector<std::uint8_t> TriangleFate; ///< two bits a facet, at canonical free facets
+  Fates& Answers;
   std::vector<Question> Pending;
 };
 
@@ -166,28 +186,30 @@ private:
 WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution)
 {
   const DelaunayComplex& complex = flow.delaunay();
-  Collapse collapse(flow);
+  execution.step("collapse", 0, 1);
+  Fates fates(complex.tetCount());
   WrapComplex wrap(flow);
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
-  {
-    if (tet % 65536 == 0)
+  execution.parallelFor(complex.tetCount(), 1 << 14,
+    [&](std::size_t begin, std::size_t end)
     {
-      execution.step("collapse", tet, complex.tetCount());
-    }
-    if (collapse.stays({ true, tet }))
-    {
-      wrap.keepTet(tet);
-    }
-    for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-    {
-      // triangles beside a kept tetrahedron stay anyway
-      if (complex.canonical(facet) == facet && flow.isFree(facet) && !wrap.keepsTet(tet) &&
-        collapse.stays({ false, facet }))
+      Collapse collapse(flow, fates);
+      for (auto tet = static_cast<Index>(begin); tet < end; ++tet)
       {
-        wrap.keepTriangle(facet);
+        if (collapse.stays({ true, tet }))
+        {
+          wrap.keepTet(tet); // and with it its triangles
+          continue;
+        }
+        for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+        {
+          if (complex.canonical(facet) == facet && flow.isFree(facet) &&
+            collapse.stays({ false, facet }))
+          {
+            wrap.keepTriangle(facet);
+          }
+        }
       }
-    }
-  }
+    });
   return wrap;
 }
 
@@ -195,11 +217,11 @@ std::vector<Segment> keptLines(const WrapComplex& wrap, Execution& execution)
 {
   std::vector<Segment> lines;
   const DelaunayComplex& complex = wrap.flow().delaunay();
-  for (const CriticalEdge& edge : criticalEdges(wrap.flow(), execution))
+  const auto isGone = [&](Facet facet) { return !wrap.keepsTriangle(facet); };
+  for (const CriticalEdge& edge : criticalEdges(wrap.flow(), execution, isGone))
   {
-    const bool bare = complex.walkWholeEdge(edge.triangle, edge.apex,
-      [&](Facet, Facet leaving, Facet) { return !wrap.keepsTriangle(leaving); });
-    if (bare && !wrap.keepsTriangle(edge.triangle))
+    if (complex.walkWholeEdge(
+          edge.triangle, edge.apex, [&](Facet, Facet leaving, Facet) { return isGone(leaving); }))
     {
       lines.push_back(edge.vertices);
     }
