@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/cut_refinement.h"
 
+#include "filters/geometry/incidence.h"
 #include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <limits>
 
 namespace scan
 {
@@ -18,9 +19,10 @@ namespace
 constexpr std::array kLevels{ 3.0F, 2.0F, 1.5F, 1.25F, 1.1F, 1.03F, 1.0F };
 constexpr std::array kExcessWeights{ 0.02, 0.1 };
 constexpr int kPasses = 6; // per level
+constexpr double kLeastGain = 1e-9;
 
-/// A triangle between two basins, or between a basin and the outside of the hull.
-struct Wall
+/// A wall with what the objective asks about it.
+struct MeasuredWall
 {
   Triangle vertices;
   Index a;
@@ -29,65 +31,33 @@ struct Wall
   float doorRatio; ///< smaller of the two sizes / radius of the triangle; infinite on the hull
 };
 
-/// For each of `count` owners the numbers of its items.
-class Incidence
-{
-public:
-  /// ownersOf(item, visit) calls visit(owner) for each owner of the item.
-  template <class OwnersOf>
-  Incidence(std::size_t count, std::size_t items, OwnersOf&& ownersOf)
-    : First(count + 1, 0)
-  {
-    for (std::size_t item = 0; item < items; ++item)
-    {
-      ownersOf(item, [&](Index owner) { ++this->First[owner]; });
-    }
-    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
-    this->Items.resize(this->First.back());
-    for (std::size_t item = 0; item < items; ++item)
-    {
-      ownersOf(
-        item, [&](Index owner) { this->Items[--this->First[owner]] = static_cast<Index>(item); });
-    }
-  }
-
-  std::span<const Index> of(Index owner) const
-  {
-    return { this->Items.data() + this->First[owner], this->Items.data() + this->First[owner + 1] };
-  }
-
-private:
-  std::vector<Index> First;
-  std::vector<Index> Items;
-};
-
-std::vector<Wall> findWalls(
-  const FlowComplex& flow, const Basins& basins, const std::vector<float>& spacing)
+std::vector<MeasuredWall> measure(const FlowComplex& flow, const Basins& basins,
+  const std::vector<Wall>& walls, const std::vector<float>& spacing, Execution& execution)
 {
   const DelaunayComplex& complex = flow.delaunay();
-  std::vector<Wall> walls;
-  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
-  {
-    const Index beyond = complex.neighbour(facet / 4, static_cast<int>(facet % 4));
-    const Index a = basins.ofTet[facet / 4];
-    const Index b = beyond == kNone ? basins.count() : basins.ofTet[beyond];
-    if (a == b || complex.canonical(facet) != facet)
+  std::vector<MeasuredWall> measured(walls.size());
+  execution.parallelFor(walls.size(), 1 << 14,
+    [&](std::size_t begin, std::size_t end)
     {
-      continue;
-    }
-    const Triangle v = complex.facetVertices(facet);
-    float doorRatio = std::numeric_limits<float>::infinity();
-    if (beyond != kNone)
-    {
-      // the radius function: an attached facet has the radius of its tetrahedron
-      const double radius2 = flow.isAttached(facet) ? circumradiusSquared(complex, facet / 4)
-        : flow.isFree(facet)                        ? circumradiusSquared(complex, v)
-                                                    : circumradiusSquared(complex, beyond);
-      doorRatio = static_cast<float>(std::min(basins.size[a], basins.size[b]) / std::sqrt(radius2));
-    }
-    walls.push_back({ v, a, b, excessArea(complex, spacing, v), doorRatio });
-  }
-  return walls;
+      for (std::size_t w = begin; w < end; ++w)
+      {
+        const auto& [facet, a, b] = walls[w];
+        const Triangle v = complex.facetVertices(facet);
+        float doorRatio = std::numeric_limits<float>::infinity();
+        if (b != basins.count())
+        {
+          // the radius function: an attached facet has the radius of its tetrahedron
+          const double radius2 = flow.isAttached(facet) ? circumradiusSquared(complex, facet / 4)
+            : flow.isFree(facet)                        ? circumradiusSquared(complex, v)
+                                                        : circumradiusSquared(complex,
+                                                            complex.neighbour(facet / 4, static_cast<int>(facet % 4)));
+          doorRatio =
+            static_cast<float>(std::min(basins.size[a], basins.size[b]) / std::sqrt(radius2));
+        }
+        measured[w] = { v, a, b, excessArea(complex, spacing, v), doorRatio };
+      }
+    });
+  return measured;
 }
 
 /// What flipping a group would change.
@@ -103,15 +73,32 @@ struct Change
   }
 };
 
+/// What is known about the cut beside a basin or group without trying to flip it.
+struct Census
+{
+  int cutTriangles = 0;
+  int uncutBorder = 0; ///< walls to other groups that would become cut
+  int ownPoints = 0;   ///< points all of whose cut triangles are here
+  double cutExcess = 0.0;
+
+  /// No flip gains more: each border triangle covers or saves at most three points, and the points
+  /// owned and not saved are lost.
+  double mostGain(double excessWeight) const
+  {
+    return 2.0 * (3.0 * this->uncutBorder - this->ownPoints) -
+      0.5 * (this->uncutBorder - this->cutTriangles) + excessWeight * this->cutExcess;
+  }
+};
+
 class BasinRefinement
 {
 public:
-  BasinRefinement(const Basins& basins, std::vector<Wall> walls, std::size_t pointCount,
+  BasinRefinement(const Basins& basins, std::vector<MeasuredWall> walls, std::size_t pointCount,
     std::vector<std::uint8_t> inside)
     : Sizes(basins.size)
-    , BasinCount(basins.count())
+    , Outside(basins.count())
     , Walls(std::move(walls))
-    , WallsOfBasin(BasinCount + 1, Walls.size(),
+    , WallsOfBasin(Outside + 1, Walls.size(),
         [&](std::size_t w, auto&& visit)
         {
           visit(this->Walls[w].a);
@@ -122,20 +109,28 @@ public:
         { std::for_each(this->Walls[w].vertices.begin(), this->Walls[w].vertices.end(), visit); })
     , Inside(std::move(inside))
     , CutTriangles(pointCount, 0)
-    , Touched(BasinCount + 1, 0)
-    , Trials(BasinCount)
-    , Group(BasinCount + 1)
+    , Touched(Outside + 1, 0)
+    , Trials(Outside)
+    , Group(Outside + 1)
   {
-    this->Inside.push_back(0); // outside the hull
-    for (const Wall& wall : this->Walls)
+    this->Inside.push_back(0);
+    for (const MeasuredWall& wall : this->Walls)
     {
-      this->count(wall, +1 * (this->Inside[wall.a] != this->Inside[wall.b]));
+      if (this->isCut(wall))
+      {
+        this->count(wall, +1);
+      }
     }
+    this->takeCensus();
   }
 
   /// One sweep at one level; returns whether anything flipped.
   bool sweep(float level, double excessWeight)
   {
+    if (this->LastFlip > this->CensusTime)
+    {
+      this->takeCensus();
+    }
     this->formGroups(level);
     bool flipped = false;
     for (const Index group : this->GroupsBySize)
@@ -161,92 +156,13 @@ private:
     Change change;
   };
 
-  /// Joins basins of equal label; a group is named by its first basin.
-  void formGroups(float level)
+  bool isCut(const MeasuredWall& wall) const
   {
-    UnionFind sets(this->BasinCount);
-    for (const Wall& wall : this->Walls)
-    {
-      if (wall.doorRatio <= level && this->Inside[wall.a] == this->Inside[wall.b])
-      {
-        const Index a = sets.root(wall.a);
-        const Index b = sets.root(wall.b);
-        sets.join(std::min(a, b), std::max(a, b));
-      }
-    }
-    this->GroupsBySize.clear();
-    this->Members.assign(this->BasinCount, {});
-    std::vector<double> size(this->BasinCount, 0.0);
-    for (Index basin = 0; basin < this->BasinCount; ++basin)
-    {
-      const Index group = sets.root(basin);
-      this->Group[basin] = group;
-      this->Members[group].push_back(basin);
-      size[group] = std::max(size[group], this->Sizes[basin]);
-      if (group == basin)
-      {
-        this->GroupsBySize.push_back(group);
-      }
-    }
-    this->Group[this->BasinCount] = kNone;
-    std::stable_sort(this->GroupsBySize.begin(), this->GroupsBySize.end(),
-      [&](Index p, Index q) { return size[p] > size[q]; });
-  }
-
-  bool tryGroup(Index group, double excessWeight)
-  {
-    constexpr double kLeastGain = 1e-9;
-    const std::vector<Index>& members = this->Members[group];
-    std::uint64_t hash = 0;
-    std::uint32_t touched = 0;
-    for (const Index basin : members)
-    {
-      hash += (basin + 1) * 0x9E3779B97F4A7C15ULL ^ (std::uint64_t{ basin } << 32);
-      touched = std::max(touched, this->Touched[basin]);
-    }
-    Trial& trial = this->Trials[group];
-    const bool known = trial.time > touched && trial.members == hash;
-    if (known && trial.change.gain(excessWeight) <= kLeastGain)
-    {
-      return false;
-    }
-    const Change change = this->flip(members);
-    if (change.gain(excessWeight) <= kLeastGain)
-    {
-      this->flip(members);
-      trial = { hash, ++this->Clock, change };
-      return false;
-    }
-    this->touchSurroundings(members);
-    return true;
-  }
-
-  Change flip(const std::vector<Index>& members)
-  {
-    Change change;
-    for (const Index basin : members)
-    {
-      this->Inside[basin] ^= 1U;
-    }
-    for (const Index basin : members)
-    {
-      for (const Index w : this->WallsOfBasin.of(basin))
-      {
-        const Wall& wall = this->Walls[w];
-        if (this->Group[wall.a] != this->Group[wall.b])
-        {
-          const int sign = this->Inside[wall.a] != this->Inside[wall.b] ? +1 : -1;
-          change.points += this->count(wall, sign);
-          change.triangles += sign;
-          change.excess += sign * static_cast<double>(wall.excess);
-        }
-      }
-    }
-    return change;
+    return this->Inside[wall.a] != this->Inside[wall.b];
   }
 
   /// Counts the wall in or out of the cut at its vertices; returns the change in covered points.
-  int count(const Wall& wall, int sign)
+  int count(const MeasuredWall& wall, int sign)
   {
     int change = 0;
     for (const Index v : wall.vertices)
@@ -258,54 +174,216 @@ private:
     return change;
   }
 
-  /// Everything at a point whose count changed may now answer differently.
-  void touchSurroundings(const std::vector<Index>& members)
+  /// Per basin: its share of the cut and the points it owns.
+  void takeCensus()
   {
-    ++this->Clock;
-    for (const Index basin : members)
+    this->CensusTime = ++this->Clock;
+    this->CensusOfBasin.assign(this->Outside + 1, {});
+    this->UncutWalls.clear();
+    // of all basins at a point's cut triangles, the at most two that are at every one of them
+    std::vector<std::array<Index, 2>> owners(this->CutTriangles.size(), { kNone, kNone });
+    std::vector<std::uint8_t> seen(this->CutTriangles.size(), 0);
+    for (Index w = 0; w < this->Walls.size(); ++w)
     {
-      for (const Index w : this->WallsOfBasin.of(basin))
+      const MeasuredWall& wall = this->Walls[w];
+      if (!this->isCut(wall))
       {
-        const Wall& wall = this->Walls[w];
-        if (this->Group[wall.a] == this->Group[wall.b])
+        this->UncutWalls.push_back(w);
+        continue;
+      }
+      for (const Index basin : { wall.a, wall.b })
+      {
+        ++this->CensusOfBasin[basin].cutTriangles;
+        this->CensusOfBasin[basin].cutExcess += static_cast<double>(wall.excess);
+      }
+      for (const Index v : wall.vertices)
+      {
+        if (!seen[v])
         {
+          seen[v] = 1;
+          owners[v] = { wall.a, wall.b };
           continue;
         }
-        for (const Index v : wall.vertices)
+        for (Index& owner : owners[v])
         {
-          for (const Index around : this->WallsOfPoint.of(v))
-          {
-            this->Touched[this->Walls[around].a] = this->Clock;
-            this->Touched[this->Walls[around].b] = this->Clock;
-          }
+          owner = owner == wall.a || owner == wall.b ? owner : kNone;
+        }
+      }
+    }
+    for (const auto& pair : owners)
+    {
+      for (const Index owner : pair)
+      {
+        if (owner != kNone)
+        {
+          ++this->CensusOfBasin[owner].ownPoints;
         }
       }
     }
   }
 
+  /// Joins basins of equal label; a group is named by its first basin.
+  void formGroups(float level)
+  {
+    UnionFind sets(this->Outside + 1);
+    for (const Index w : this->UncutWalls)
+    {
+      const MeasuredWall& wall = this->Walls[w];
+      if (wall.doorRatio <= level)
+      {
+        const Index a = sets.root(wall.a);
+        const Index b = sets.root(wall.b);
+        sets.join(std::min(a, b), std::max(a, b));
+      }
+    }
+    for (Index basin = 0; basin <= this->Outside; ++basin)
+    {
+      this->Group[basin] = sets.root(basin);
+    }
+    this->Members = Incidence(this->Outside + 1, this->Outside,
+      [&](std::size_t basin, auto&& visit) { visit(this->Group[basin]); });
+    this->CensusOfGroup.assign(this->Outside + 1, {});
+    std::vector<double> size(this->Outside + 1, 0.0);
+    this->GroupsBySize.clear();
+    for (Index basin = 0; basin < this->Outside; ++basin)
+    {
+      const Index group = this->Group[basin];
+      const Census& own = this->CensusOfBasin[basin];
+      Census& sum = this->CensusOfGroup[group];
+      sum.cutTriangles += own.cutTriangles;
+      sum.cutExcess += own.cutExcess;
+      sum.ownPoints += own.ownPoints;
+      size[group] = std::max(size[group], this->Sizes[basin]);
+      if (group == basin)
+      {
+        this->GroupsBySize.push_back(group);
+      }
+    }
+    for (const Index w : this->UncutWalls)
+    {
+      const Index a = this->Group[this->Walls[w].a];
+      const Index b = this->Group[this->Walls[w].b];
+      this->CensusOfGroup[a].uncutBorder += a != b ? 1 : 0;
+      this->CensusOfGroup[b].uncutBorder += a != b ? 1 : 0;
+    }
+    std::stable_sort(this->GroupsBySize.begin(), this->GroupsBySize.end(),
+      [&](Index p, Index q) { return size[p] > size[q]; });
+  }
+
+  bool tryGroup(Index group, double excessWeight)
+  {
+    std::uint64_t hash = 0;
+    std::uint32_t touched = 0;
+    for (const Index basin : this->Members.of(group))
+    {
+      hash += (basin + 1) * 0x9E3779B97F4A7C15ULL ^ (std::uint64_t{ basin } << 32);
+      touched = std::max(touched, this->Touched[basin]);
+    }
+    Trial& trial = this->Trials[group];
+    const bool isKnown = trial.time > touched && trial.members == hash;
+    const bool isHopeless = touched <= this->CensusTime &&
+      this->CensusOfGroup[group].mostGain(excessWeight) <= kLeastGain;
+    if (isHopeless || (isKnown && trial.change.gain(excessWeight) <= kLeastGain))
+    {
+      return false;
+    }
+    const Change change = this->flip(group);
+    if (change.gain(excessWeight) <= kLeastGain)
+    {
+      this->flip(group);
+      trial = { hash, ++this->Clock, change };
+      return false;
+    }
+    this->LastFlip = ++this->Clock;
+    this->touchSurroundings(group);
+    return true;
+  }
+
+  /// Calls visit(wall) for the walls between the group and the rest.
+  template <class Visit>
+  void forEachBorderWall(Index group, Visit&& visit)
+  {
+    for (const Index basin : this->Members.of(group))
+    {
+      for (const Index w : this->WallsOfBasin.of(basin))
+      {
+        const MeasuredWall& wall = this->Walls[w];
+        if (this->Group[wall.a] != this->Group[wall.b])
+        {
+          visit(wall);
+        }
+      }
+    }
+  }
+
+  Change flip(Index group)
+  {
+    for (const Index basin : this->Members.of(group))
+    {
+      this->Inside[basin] ^= 1U;
+    }
+    Change change;
+    this->forEachBorderWall(group,
+      [&](const MeasuredWall& wall)
+      {
+        const int sign = this->isCut(wall) ? +1 : -1;
+        change.points += this->count(wall, sign);
+        change.triangles += sign;
+        change.excess += sign * static_cast<double>(wall.excess);
+      });
+    return change;
+  }
+
+  /// Everything at a point whose count changed may now answer differently.
+  void touchSurroundings(Index group)
+  {
+    this->forEachBorderWall(group,
+      [&](const MeasuredWall& wall)
+      {
+        for (const Index v : wall.vertices)
+        {
+          for (const Index around : this->WallsOfPoint.of(v))
+          {
+            this->Touched[this->Walls[around].a] = this->LastFlip;
+            this->Touched[this->Walls[around].b] = this->LastFlip;
+          }
+        }
+      });
+  }
+
   const std::vector<double>& Sizes;
-  Index BasinCount;
-  std::vector<Wall> Walls;
+  Index Outside; ///< the number after the last basin
+  std::vector<MeasuredWall> Walls;
   Incidence WallsOfBasin;
   Incidence WallsOfPoint;
   std::vector<std::uint8_t> Inside;
   std::vector<int> CutTriangles; ///< per point
+
   std::uint32_t Clock = 0;
+  std::uint32_t LastFlip = 0;
+  std::uint32_t CensusTime = 0;
   std::vector<std::uint32_t> Touched; ///< per basin: when something around it last changed
   std::vector<Trial> Trials;          ///< per group, by its name
-  std::vector<Index> Group;
-  std::vector<std::vector<Index>> Members;
+
+  std::vector<Census> CensusOfBasin;
+  std::vector<Index> UncutWalls;
+
+  // the groups of the sweep
+  std::vector<Index> Group; ///< per basin
+  Incidence Members;
+  std::vector<Census> CensusOfGroup;
   std::vector<Index> GroupsBySize;
 };
 
 } // namespace
 
 std::vector<std::uint8_t> refineBasins(const FlowComplex& flow, const Basins& basins,
-  const std::vector<float>& spacing, std::vector<std::uint8_t> inside, Execution& execution)
+  const std::vector<Wall>& walls, const std::vector<float>& spacing,
+  std::vector<std::uint8_t> inside, Execution& execution)
 {
   execution.step("refine", 0, 1);
-  BasinRefinement refinement(
-    basins, findWalls(flow, basins, spacing), flow.delaunay().points.size(), std::move(inside));
+  BasinRefinement refinement(basins, measure(flow, basins, walls, spacing, execution),
+    flow.delaunay().points.size(), std::move(inside));
   constexpr std::size_t kSteps = kExcessWeights.size() * kLevels.size() + 1;
   std::size_t step = 0;
   for (const double excessWeight : kExcessWeights)

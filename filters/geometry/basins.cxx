@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/basins.h"
 
+#include "filters/geometry/collect.h"
+#include "filters/geometry/incidence.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -28,7 +30,34 @@ double halfDiagonal(const std::vector<Vec3>& points)
   return 0.5 * std::sqrt(dot(high - low, high - low));
 }
 
-/// A critical triangle between two basins; `outside` stands for all that lies beyond the hull.
+/// Largest circumradius in each basin, at most half the box diagonal.
+std::vector<double> basinSizes(
+  const DelaunayComplex& complex, const Basins& basins, Execution& execution)
+{
+  LargeArray<double> radii2(complex.tetCount());
+  execution.parallelFor(complex.tetCount(), 1 << 14,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto tet = static_cast<Index>(begin); tet < end; ++tet)
+      {
+        radii2[tet] = circumradiusSquared(complex, tet);
+      }
+    });
+  std::vector<double> sizes(basins.count(), 0.0);
+  for (Index tet = 0; tet < complex.tetCount(); ++tet)
+  {
+    double& size = sizes[basins.ofTet[tet]];
+    size = std::max(size, radii2[tet]);
+  }
+  const double cap = halfDiagonal(complex.points);
+  for (double& size : sizes)
+  {
+    size = std::min(cap, std::sqrt(size));
+  }
+  return sizes;
+}
+
+/// A critical triangle between two rooms, by the basins that stand for them.
 struct Door
 {
   double radius2;
@@ -38,29 +67,24 @@ struct Door
 };
 
 /// The doors by decreasing radius. Basins that leave the hull count as the outside.
-std::vector<Door> doorsByRadius(const FlowComplex& flow, const Basins& basins)
+std::vector<Door> doorsByRadius(const FlowComplex& flow, const Basins& basins,
+  const std::vector<Wall>& walls, Execution& execution)
 {
   const DelaunayComplex& complex = flow.delaunay();
   const Index outside = basins.count();
-  const auto roomOf = [&](Index tet)
-  {
-    const Index basin = tet == kNone ? outside : basins.ofTet[tet];
-    return basin == outside || basins.leavesHull(basin) ? outside : basin;
-  };
-  std::vector<Door> doors;
-  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
-  {
-    if (complex.canonical(facet) != facet)
+  const auto room = [&](Index basin)
+  { return basin == outside || basins.leavesHull(basin) ? outside : basin; };
+  std::vector<Door> doors = collect<Door>(static_cast<Index>(walls.size()), execution,
+    [&](Index w, auto& found)
     {
-      continue;
-    }
-    const Index a = roomOf(facet / 4);
-    const Index b = roomOf(complex.neighbour(facet / 4, static_cast<int>(facet % 4)));
-    if (a != b && flow.isCriticalTriangle(facet))
-    {
-      doors.push_back({ circumradiusSquared(complex, complex.facetVertices(facet)), facet, a, b });
-    }
-  }
+      const Index a = room(walls[w].a);
+      const Index b = room(walls[w].b);
+      if (a != b && flow.isCriticalTriangle(walls[w].facet))
+      {
+        found.push_back({ circumradiusSquared(complex, complex.facetVertices(walls[w].facet)),
+          walls[w].facet, a, b });
+      }
+    });
   std::sort(doors.begin(), doors.end(),
     [](const Door& p, const Door& q)
     { return p.radius2 != q.radius2 ? p.radius2 > q.radius2 : p.facet < q.facet; });
@@ -117,8 +141,13 @@ std::vector<PersistencePair> pairsOf(
 /// The rooms of the watershed: 0 is the outside, 1 the most persistent, and so on.
 struct Rooms
 {
-  std::vector<Index> ofBasin;
+  std::vector<Index> ofBasin; ///< and of the outside
   std::vector<double> ratio2; ///< (death / birth)^2 of each room's seed
+
+  std::pair<Index, Index> of(const Wall& wall) const
+  {
+    return { this->ofBasin[wall.a], this->ofBasin[wall.b] };
+  }
 };
 
 Rooms watershed(
@@ -146,7 +175,7 @@ Rooms watershed(
       regions.join(seed[a] != kNone ? a : b, seed[a] != kNone ? b : a);
     }
   }
-  rooms.ofBasin.resize(basins.count());
+  rooms.ofBasin.assign(basins.count() + 1, 0);
   for (Index basin = 0; basin < basins.count(); ++basin)
   {
     const Index room = basins.leavesHull(basin) ? 0 : seed[regions.root(basin)];
@@ -157,17 +186,15 @@ Rooms watershed(
 
 /// Inside or outside: the most persistent room is inside, each other like the more persistent
 /// room behind its widest door.
-std::vector<std::uint8_t> firstGuess(
-  const std::vector<Door>& doors, const Rooms& rooms, Index outside)
+std::vector<std::uint8_t> firstGuess(const std::vector<Door>& doors, const Rooms& rooms)
 {
   const auto count = static_cast<Index>(rooms.ratio2.size());
-  const auto roomOf = [&](Index basin) { return basin == outside ? 0 : rooms.ofBasin[basin]; };
   std::vector<Index> opensTo(count, 0);
   std::vector<std::uint8_t> found(count, 0);
   for (const Door& door : doors) // widest first
   {
-    const Index a = roomOf(door.a);
-    const Index b = roomOf(door.b);
+    const Index a = rooms.ofBasin[door.a];
+    const Index b = rooms.ofBasin[door.b];
     if (a == b)
     {
       continue;
@@ -192,165 +219,181 @@ std::vector<std::uint8_t> firstGuess(
 }
 
 /// Flips rooms while that brings more points onto the surface.
-void flipForCoverage(const FlowComplex& flow, const Basins& basins, const Rooms& rooms,
-  std::vector<std::uint8_t>& inside)
+class CoverageFlips
 {
-  const DelaunayComplex& complex = flow.delaunay();
-  const auto roomOf = [&](Index tet)
-  { return tet == kNone ? 0 : rooms.ofBasin[basins.ofTet[tet]]; };
-  struct Wall
+public:
+  CoverageFlips(const DelaunayComplex& complex, const std::vector<Wall>& walls, const Rooms& rooms,
+    std::vector<std::uint8_t> inside)
+    : Complex(complex)
+    , Inside(std::move(inside))
+    , WallsOfRoom(Inside.size(), walls.size(),
+        [&](std::size_t w, auto&& visit)
+        {
+          const auto [a, b] = rooms.of(walls[w]);
+          if (a != b)
+          {
+            visit(a);
+            visit(b);
+          }
+        })
+    , Walls(walls)
+    , TheRooms(rooms)
+    , CutTriangles(complex.points.size(), 0)
   {
-    Facet facet;
-    Index a;
-    Index b;
-  };
-  std::vector<Wall> walls;
-  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
-  {
-    const Index a = roomOf(facet / 4);
-    const Index b = roomOf(complex.neighbour(facet / 4, static_cast<int>(facet % 4)));
-    if (a != b && complex.canonical(facet) == facet)
+    for (const Wall& wall : walls)
     {
-      walls.push_back({ facet, a, b });
+      const auto [a, b] = rooms.of(wall);
+      if (this->Inside[a] != this->Inside[b])
+      {
+        this->toggle(wall);
+      }
     }
-  }
-  const auto count = static_cast<Index>(inside.size());
-  std::vector<Index> first(count + 1, 0); // walls of each room
-  for (const Wall& wall : walls)
-  {
-    ++first[wall.a];
-    ++first[wall.b];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Index> wallsOf(first.back());
-  for (Index w = 0; w < walls.size(); ++w)
-  {
-    wallsOf[--first[walls[w].a]] = w;
-    wallsOf[--first[walls[w].b]] = w;
   }
 
-  std::vector<Index> cutTriangles(complex.points.size(), 0); // at each vertex
-  const auto toggle = [&](const Wall& wall) {                // returns the change in covered points
-    const bool cuts = inside[wall.a] != inside[wall.b];
-    int change = 0;
-    for (const Index v : complex.facetVertices(wall.facet))
-    {
-      change += cuts ? (cutTriangles[v]++ == 0 ? 1 : 0) : (--cutTriangles[v] == 0 ? -1 : 0);
-    }
-    return change;
-  };
-  for (const Wall& wall : walls)
+  std::vector<std::uint8_t> run()
   {
-    if (inside[wall.a] != inside[wall.b])
+    constexpr int kPasses = 3;
+    bool changed = true;
+    for (int pass = 0; pass < kPasses && changed; ++pass)
     {
-      toggle(wall);
-    }
-  }
-  const auto flip = [&](Index room)
-  {
-    inside[room] ^= 1U;
-    int change = 0;
-    for (Index i = first[room]; i < first[room + 1]; ++i)
-    {
-      change += toggle(walls[wallsOf[i]]);
-    }
-    return change;
-  };
-  constexpr int kPasses = 3;
-  bool changed = true;
-  for (int pass = 0; pass < kPasses && changed; ++pass)
-  {
-    changed = false;
-    for (Index room = 2; room < count; ++room)
-    {
-      if (flip(room) > 0)
+      changed = false;
+      for (Index room = 2; room < this->Inside.size(); ++room) // outside and first stay
       {
-        changed = true;
-      }
-      else
-      {
-        flip(room);
+        if (this->flip(room) > 0)
+        {
+          changed = true;
+        }
+        else
+        {
+          this->flip(room);
+        }
       }
     }
+    return std::move(this->Inside);
   }
-}
+
+private:
+  int flip(Index room) // returns the change in covered points
+  {
+    this->Inside[room] ^= 1U;
+    int change = 0;
+    for (const Index w : this->WallsOfRoom.of(room))
+    {
+      change += this->toggle(this->Walls[w]);
+    }
+    return change;
+  }
+
+  int toggle(const Wall& wall)
+  {
+    const auto [a, b] = this->TheRooms.of(wall);
+    const int sign = this->Inside[a] != this->Inside[b] ? +1 : -1;
+    int change = 0;
+    for (const Index v : this->Complex.facetVertices(wall.facet))
+    {
+      const int before = this->CutTriangles[v];
+      this->CutTriangles[v] = before + sign;
+      change += (before + sign > 0) - (before > 0);
+    }
+    return change;
+  }
+
+  const DelaunayComplex& Complex;
+  std::vector<std::uint8_t> Inside;
+  Incidence WallsOfRoom;
+  const std::vector<Wall>& Walls;
+  const Rooms& TheRooms;
+  std::vector<int> CutTriangles; ///< per point
+};
 
 } // namespace
 
 Basins findBasins(const FlowComplex& flow, Execution& execution)
 {
   const DelaunayComplex& complex = flow.delaunay();
+  execution.step("basins", 0, 3);
+  LargeArray<Facet> exits(complex.tetCount()); // mirror of the exit facet, kNone where it ends
+  execution.parallelFor(complex.tetCount(), 1 << 14,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto tet = static_cast<Index>(begin); tet < end; ++tet)
+      {
+        exits[tet] = flow.isSink(tet) ? kNone : complex.mirror[tet][flow.exit(tet) % 4];
+      }
+    });
+  execution.step("basins", 1, 3);
   Basins basins;
   basins.ofTet.assign(complex.tetCount(), kNone);
   std::vector<Index> path;
   for (Index tet = 0; tet < complex.tetCount(); ++tet)
   {
-    if (tet % 65536 == 0)
-    {
-      execution.step("basins", tet, complex.tetCount());
-    }
     Index current = tet;
     path.clear();
-    Index basin = basins.ofTet[current];
-    while (basin == kNone)
+    while (basins.ofTet[current] == kNone)
     {
       path.push_back(current);
-      const Index beyond =
-        flow.isSink(current) ? kNone : complex.mirror[current][flow.exit(current) % 4];
-      if (beyond == kNone) // a hull triangle has one tetrahedron, so this one opens the basin
+      if (exits[current] == kNone) // a sink, or the one tetrahedron of a hull triangle
       {
-        basin = basins.count();
+        basins.ofTet[current] = basins.count();
         basins.sink.push_back(flow.isSink(current) ? current : kNone);
         break;
       }
-      current = beyond / 4;
-      basin = basins.ofTet[current];
+      current = exits[current] / 4;
     }
     for (const Index on : path)
     {
-      basins.ofTet[on] = basin;
+      basins.ofTet[on] = basins.ofTet[current];
     }
   }
-  const double cap = halfDiagonal(complex.points);
-  basins.size.assign(basins.count(), 0.0);
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
-  {
-    double& size = basins.size[basins.ofTet[tet]];
-    size = std::max(size, circumradiusSquared(complex, tet));
-  }
-  for (double& size : basins.size)
-  {
-    size = std::min(cap, std::sqrt(size));
-  }
+  execution.step("basins", 2, 3);
+  basins.size = basinSizes(complex, basins, execution);
+  execution.step("basins", 3, 3);
   return basins;
 }
 
-std::vector<PersistencePair> voidPersistence(
-  const FlowComplex& flow, const Basins& basins, Execution& execution)
+std::vector<Wall> findWalls(const FlowComplex& flow, const Basins& basins, Execution& execution)
 {
-  execution.step("rooms", 0, 1);
-  return pairsOf(doorsByRadius(flow, basins), basins, sinkRadii2(flow, basins));
+  const DelaunayComplex& complex = flow.delaunay();
+  execution.step("walls", 0, 1);
+  return collect<Wall>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      const Index a = basins.ofTet[tet];
+      for (unsigned k = 0; k < 4; ++k)
+      {
+        const Facet mirror = complex.mirror[tet][k];
+        const Index b = mirror == kNone ? basins.count() : basins.ofTet[mirror / 4];
+        if (a != b && 4 * tet + k < mirror)
+        {
+          found.push_back({ 4 * tet + k, a, b });
+        }
+      }
+    });
 }
 
-std::vector<std::uint8_t> persistentRooms(
-  const FlowComplex& flow, const Basins& basins, Execution& execution)
+std::vector<PersistencePair> voidPersistence(const FlowComplex& flow, const Basins& basins,
+  const std::vector<Wall>& walls, Execution& execution)
 {
-  execution.step("rooms", 0, 4);
-  const std::vector<Door> doors = doorsByRadius(flow, basins);
-  execution.step("rooms", 1, 4);
-  const auto pairs = pairsOf(doors, basins, sinkRadii2(flow, basins));
-  execution.step("rooms", 2, 4);
-  const Rooms rooms = watershed(doors, basins, pairs);
-  std::vector<std::uint8_t> inside = firstGuess(doors, rooms, basins.count());
-  execution.step("rooms", 3, 4);
-  flipForCoverage(flow, basins, rooms, inside);
+  return pairsOf(doorsByRadius(flow, basins, walls, execution), basins, sinkRadii2(flow, basins));
+}
+
+std::vector<std::uint8_t> persistentRooms(const FlowComplex& flow, const Basins& basins,
+  const std::vector<Wall>& walls, Execution& execution)
+{
+  execution.step("rooms", 0, 3);
+  const std::vector<Door> doors = doorsByRadius(flow, basins, walls, execution);
+  execution.step("rooms", 1, 3);
+  const Rooms rooms = watershed(doors, basins, pairsOf(doors, basins, sinkRadii2(flow, basins)));
+  execution.step("rooms", 2, 3);
+  const std::vector<std::uint8_t> inside =
+    CoverageFlips(flow.delaunay(), walls, rooms, firstGuess(doors, rooms)).run();
 
   std::vector<std::uint8_t> insideBasin(basins.count());
   for (Index basin = 0; basin < basins.count(); ++basin)
   {
     insideBasin[basin] = inside[rooms.ofBasin[basin]];
   }
-  execution.step("rooms", 4, 4);
+  execution.step("rooms", 3, 3);
   return insideBasin;
 }
 

@@ -25,6 +25,17 @@ struct Basins
 /// Linear time. Reports phase "basins".
 Basins findBasins(const FlowComplex& flow, Execution& execution);
 
+/// A triangle between two basins, or between a basin and the outside of the convex hull.
+struct Wall
+{
+  Facet facet;
+  Index a; ///< basin of the facet's own tetrahedron
+  Index b; ///< basin beyond; the number of basins stands for the outside
+};
+
+/// All walls, in the order of their facets.
+std::vector<Wall> findWalls(const FlowComplex& flow, const Basins& basins, Execution& execution);
+
 /// A room that appears behind a door of radius sqrt(birth) and is filled at sqrt(death), the
 /// circumradius of its sink; squared radii, birth < death.
 struct PersistencePair
@@ -39,15 +50,15 @@ struct PersistencePair
 /// persistent (death / birth) first: one Kruskal pass over the critical triangles in decreasing
 /// radius joins basins; at each join the smaller room dies. Gradient pairs need no pass of their
 /// own: they never join two rooms.
-std::vector<PersistencePair> voidPersistence(
-  const FlowComplex& flow, const Basins& basins, Execution& execution);
+std::vector<PersistencePair> voidPersistence(const FlowComplex& flow, const Basins& basins,
+  const std::vector<Wall>& walls, Execution& execution);
 
 /// Inside or outside for every basin, the start of the automatic wrap: rooms with death / birth
 /// radius above 1.1 and the outside seed a watershed; the most persistent room is inside, others
 /// start like the room they open to and flip while that brings more points onto the surface.
 /// Reports phase "rooms". Cohen-Steiner, Lieutier, Vuillamy, "Lexicographic optimal homologous
 /// chains and applications to point cloud triangulations" (2020).
-std::vector<std::uint8_t> persistentRooms(
-  const FlowComplex& flow, const Basins& basins, Execution& execution);
+std::vector<std::uint8_t> persistentRooms(const FlowComplex& flow, const Basins& basins,
+  const std::vector<Wall>& walls, Execution& execution);
 
 } // namespace scan

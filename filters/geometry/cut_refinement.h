@@ -27,7 +27,8 @@ namespace scan
 /// @param inside per basin, 0 or 1: the start; @return the refined labels
 /// Groups are tried again only where their surroundings changed. Reports phase "refine".
 std::vector<std::uint8_t> refineBasins(const FlowComplex& flow, const Basins& basins,
-  const std::vector<float>& spacing, std::vector<std::uint8_t> inside, Execution& execution);
+  const std::vector<Wall>& walls, const std::vector<float>& spacing,
+  std::vector<std::uint8_t> inside, Execution& execution);
 
 /// Flips single tetrahedra at the cut while F, less half a point for every non-manifold edge,
 /// grows. @param inside per tetrahedron, 0 or 1. Reports phase "fine-tune".

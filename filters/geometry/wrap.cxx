@@ -90,8 +90,9 @@ WrapResult wrapAutomatic(const DelaunayComplex& complex, WrapOptions::Fit fit, E
   const FlowComplex flow(complex, execution);
   const std::vector<float> spacing = localSpacing(flow, execution);
   const Basins basins = findBasins(flow, execution);
-  const std::vector<std::uint8_t> insideBasin =
-    refineBasins(flow, basins, spacing, persistentRooms(flow, basins, execution), execution);
+  const std::vector<Wall> walls = findWalls(flow, basins, execution);
+  const std::vector<std::uint8_t> insideBasin = refineBasins(
+    flow, basins, walls, spacing, persistentRooms(flow, basins, walls, execution), execution);
 
   std::vector<std::uint8_t> inside(complex.tetCount());
   for (Index tet = 0; tet < complex.tetCount(); ++tet)
@@ -150,8 +151,9 @@ std::vector<Phase> wrapPhases(const WrapOptions& options)
   }
   else
   {
-    phases.insert(
-      phases.end(), { { "edges", 1.0 }, { "basins", 1.0 }, { "rooms", 1.5 }, { "refine", 3.0 } });
+    phases.insert(phases.end(),
+      { { "edges", 1.0 }, { "basins", 1.0 }, { "walls", 0.3 }, { "rooms", 1.0 },
+        { "refine", 2.0 } });
     if (options.fit == WrapOptions::Fit::all)
     {
       phases.push_back({ "fine-tune", 1.0 });

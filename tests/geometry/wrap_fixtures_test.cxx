@@ -183,7 +183,8 @@ TEST_P(WrapFixtures, PersistencePairsAreEqual)
   { return p.birth != q.birth ? p.birth < q.birth : p.death < q.death; };
   std::vector<Pair> found;
   const Basins basins = findBasins(fixture.Flow, fixture.Run);
-  for (const PersistencePair& pair : voidPersistence(fixture.Flow, basins, fixture.Run))
+  const std::vector<Wall> walls = findWalls(fixture.Flow, basins, fixture.Run);
+  for (const PersistencePair& pair : voidPersistence(fixture.Flow, basins, walls, fixture.Run))
   {
     const Triangle t = fixture.Complex.facetVertices(pair.triangle);
     const auto& v = fixture.Complex.tetrahedra[pair.sink];
