@@ -19,6 +19,11 @@ install(TARGETS ${scan_plain_libraries}
 install(DIRECTORY filters readers writers pipeline
   DESTINATION "${SCAN_INSTALL_INCLUDE_DIR}"
   FILES_MATCHING PATTERN "*.h")
+foreach(module Filters Readers Writers) # the export macros that the VTK modules' headers include
+  string(TOLOWER ${module} folder)
+  install(FILES "${PROJECT_BINARY_DIR}/${folder}/Scan${module}Module.h"
+    DESTINATION "${SCAN_INSTALL_INCLUDE_DIR}")
+endforeach()
 
 configure_package_config_file(cmake/ScanwrapConfig.cmake.in
   "${PROJECT_BINARY_DIR}/ScanwrapConfig.cmake"

@@ -63,7 +63,7 @@ TEST(Parameter, RefusesNonsenseOfEveryType)
 {
   for (const Parameter& parameter : { kSwitch, kCount, kReal, kChoice, kLength })
   {
-    for (const char* text : { "", "nan", "inf", "-1", "1 ", "1,5", "99999999999999999999999x" })
+    for (const char* text : { "", "nan", "inf", "-1", "1 ", "1,5", "9e999" })
     {
       EXPECT_NE(messageOf(parameter, text), "taken") << parameter.name << "=" << text;
     }
