@@ -17,7 +17,10 @@ add_library(scan_build_flags INTERFACE)
 target_compile_options(scan_build_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
   -ffp-contract=off # the same bytes on machines with and without FMA
-  $<$<BOOL:${SCAN_WARNINGS_AS_ERRORS}>:-Werror>
-  $<$<BOOL:${SCAN_SANITIZE}>:-fsanitize=${SCAN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined>)
-target_link_options(scan_build_flags INTERFACE
-  $<$<BOOL:${SCAN_SANITIZE}>:-fsanitize=${SCAN_SANITIZE}>)
+  $<$<BOOL:${SCAN_WARNINGS_AS_ERRORS}>:-Werror>)
+if(SCAN_SANITIZE)
+  set(SCAN_SANITIZE_FLAGS "-fsanitize=${SCAN_SANITIZE}")
+  target_compile_options(scan_build_flags INTERFACE
+    ${SCAN_SANITIZE_FLAGS} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(scan_build_flags INTERFACE ${SCAN_SANITIZE_FLAGS})
+endif()

@@ -42,21 +42,15 @@ std::int64_t parseBytes(const std::string& text)
 
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters)
 {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : parameters)
-  {
-    names.push_back(parameter.name);
-  }
+  std::vector<std::string> names(parameters.size());
+  std::ranges::transform(parameters, names.begin(), &Parameter::name);
   return names;
 }
 
 std::vector<std::string> verbs()
 {
-  std::vector<std::string> names;
-  for (const Operation& operation : operationTable())
-  {
-    names.push_back(operation.verb);
-  }
+  std::vector<std::string> names(operationTable().size());
+  std::ranges::transform(operationTable(), names.begin(), &Operation::verb);
   return names;
 }
 
@@ -87,7 +81,7 @@ public:
 private:
   std::string next()
   {
-    const std::string word = this->Words.front();
+    std::string word = this->Words.front();
     this->Words = this->Words.subspan(1);
     return word;
   }
