@@ -10,7 +10,9 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 foreach(language C CXX) # Dev: fast enough for real data, with assertions
-  set(CMAKE_${language}_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the build type Dev")
+  if(NOT CMAKE_${language}_FLAGS_DEV) # project() has left an empty cache entry
+    set(CMAKE_${language}_FLAGS_DEV "-O1 -g")
+  endif()
 endforeach()
 
 add_library(scan_build_flags INTERFACE)
