@@ -35,6 +35,8 @@ public:
     }
   }
 
+  std::size_t owners() const { return this->First.size() - 1; }
+
   std::span<const Index> of(Index owner) const
   {
     return { this->Items.data() + this->First[owner], this->Items.data() + this->First[owner + 1] };

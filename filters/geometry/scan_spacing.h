@@ -10,8 +10,9 @@
 namespace scan
 {
 
-/// The local spacing of the scan at every vertex: the median length of the critical edges there.
-/// Positive; needs no density, no neighbourhood size. Reports phase "edges".
+/// The local spacing of the scan at every vertex: the median length of the critical edges there,
+/// at most twice the median of that at the other ends of these edges (a stray point is no
+/// sparse scan). Positive; needs no density, no neighbourhood size. Reports phase "edges".
 std::vector<float> localSpacing(const FlowComplex& flow, Execution& execution);
 
 /// By how much a triangle is larger than the local spacing h of its vertices allows:
