@@ -163,59 +163,62 @@ void numberVertices(Triangulation& triangulation, const std::vector<Index>& firs
   }
 }
 
-/// The finite cells ordered by their smallest vertex (counting sort); each cell's info becomes its
-/// number, kNone for infinite cells.
-LargeArray<Triangulation::Cell_handle> numberCells(
-  Triangulation& triangulation, std::size_t vertexCount, Execution& execution)
+using Cells = LargeArray<Triangulation::Cell_handle>;
+
+/// Numbers the finite cells by their smallest vertex (counting sort): each cell's info becomes its
+/// number, kNone for infinite cells. Returns all cells in the order of the triangulation.
+Cells numberCells(Triangulation& triangulation, std::size_t vertexCount, Execution& execution)
 {
-  LargeArray<Triangulation::Cell_handle> found;
-  found.reserve(triangulation.number_of_cells());
+  Cells cells;
+  cells.reserve(triangulation.number_of_cells());
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
   {
-    found.push_back(cell);
+    cells.push_back(cell);
   }
-  execution.parallelFor(found.size(), kGrain,
+  LargeArray<Index> number(cells.size());
+  execution.parallelFor(cells.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto cell = found[i];
-        cell->info() = triangulation.is_infinite(cell)
+        const auto cell = cells[i];
+        number[i] = triangulation.is_infinite(cell)
           ? kNone
           : std::min({ cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
               cell->vertex(3)->info() });
       }
     });
   std::vector<Index> next(vertexCount + 1, 0);
-  for (const auto cell : found)
+  for (const Index smallestVertex : number)
   {
-    next[cell->info() + 1] += cell->info() != kNone; // kNone + 1 wraps to 0: nothing is added
+    next[smallestVertex + 1] += smallestVertex != kNone; // kNone + 1 is 0: nothing is added
   }
   std::partial_sum(next.begin(), next.end(), next.begin());
-  LargeArray<Triangulation::Cell_handle> cells(triangulation.number_of_finite_cells());
-  for (const auto cell : found)
+  for (Index& n : number)
   {
-    if (cell->info() != kNone)
-    {
-      cell->info() = next[cell->info()]++;
-      cells[cell->info()] = cell;
-    }
+    n = n == kNone ? kNone : next[n]++;
   }
-  return cells;
-}
-
-void copyCells(const LargeArray<Triangulation::Cell_handle>& cells, DelaunayComplex& complex,
-  Execution& execution)
-{
-  complex.tetrahedra.resize(cells.size());
-  complex.mirror.resize(cells.size());
   execution.parallelFor(cells.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t tet = begin; tet < end; ++tet)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        const auto cell = cells[tet];
-        for (int k = 0; k < 4; ++k)
+        cells[i]->info() = number[i];
+      }
+    });
+  return cells;
+}
+
+void copyCells(const Cells& cells, DelaunayComplex& complex, Execution& execution)
+{
+  execution.parallelFor(cells.size(), kGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto cell = cells[i];
+        const Index tet = cell->info();
+        for (int k = 0; tet != kNone && k < 4; ++k)
         {
           const auto neighbour = cell->neighbor(k);
           complex.tetrahedra[tet][k] = cell->vertex(k)->info();
@@ -254,6 +257,8 @@ DelaunayComplex buildDelaunayComplex(std::span<const Vec3> input, Execution& exe
   DelaunayComplex complex;
   numberVertices(triangulation, firstIndex, input, complex);
   execution.step("triangulate", 9, 10);
+  complex.tetrahedra.resize(triangulation.number_of_finite_cells());
+  complex.mirror.resize(complex.tetrahedra.size());
   copyCells(numberCells(triangulation, complex.points.size(), execution), complex, execution);
   execution.step("triangulate", 1, 1);
   return complex;

@@ -3,6 +3,7 @@
 #include "filters/geometry/wrap.h"
 
 #include "filters/geometry/basins.h"
+#include "filters/geometry/collect.h"
 #include "filters/geometry/cut_refinement.h"
 #include "filters/geometry/mesh_split.h"
 #include "filters/geometry/scan_spacing.h"
@@ -58,29 +59,37 @@ void compact(const DelaunayComplex& complex, WrapResult& result)
   renumber(result.lines);
 }
 
+/// The wanted facets as triangles that face away from their tetrahedra.
+template <class Wanted>
+std::vector<Triangle> collectFacets(
+  const DelaunayComplex& complex, Execution& execution, Wanted&& wanted)
+{
+  return collect<Triangle>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      {
+        if (wanted(facet))
+        {
+          found.push_back(complex.facetVertices(facet));
+        }
+      }
+    });
+}
+
 WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
 {
   const FlowComplex flow(complex, execution);
   const WrapComplex kept = collapseFromOutside(flow, execution);
   WrapResult result;
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
-  {
-    const bool isKept = kept.keepsTet(tet);
-    result.report.tetrahedraKept += isKept ? 1 : 0;
-    for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-    {
-      if (isKept && kept.keptSides(facet) == 1)
-      {
-        ++result.report.boundaryTriangles;
-        result.surface.triangles.push_back(complex.facetVertices(facet));
-      }
-      else if (!isKept && kept.isSheet(facet) && complex.canonical(facet) == facet)
-      {
-        ++result.report.sheetTriangles;
-        result.surface.triangles.push_back(complex.facetVertices(facet));
-      }
-    }
-  }
+  result.surface.triangles = collectFacets(complex, execution,
+    [&](Facet facet) { return kept.keepsTet(facet / 4) && kept.keptSides(facet) == 1; });
+  const std::vector<Triangle> sheets = collectFacets(complex, execution,
+    [&](Facet facet) { return kept.isSheet(facet) && complex.canonical(facet) == facet; });
+  result.report.tetrahedraKept = kept.keptTetCount();
+  result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
+  result.report.sheetTriangles = static_cast<Index>(sheets.size());
+  result.surface.triangles.insert(result.surface.triangles.end(), sheets.begin(), sheets.end());
   result.lines = keptLines(kept, execution);
   return result;
 }
@@ -105,22 +114,14 @@ WrapResult wrapAutomatic(const DelaunayComplex& complex, WrapOptions::Fit fit, E
   }
 
   WrapResult result;
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
-  {
-    if (!inside[tet])
+  result.surface.triangles = collectFacets(complex, execution,
+    [&](Facet facet)
     {
-      continue;
-    }
-    ++result.report.tetrahedraKept;
-    for (int k = 0; k < 4; ++k)
-    {
-      const Index beyond = complex.neighbour(tet, k);
-      if (beyond == kNone || !inside[beyond])
-      {
-        result.surface.triangles.push_back(complex.facetVertices(4 * tet + static_cast<Facet>(k)));
-      }
-    }
-  }
+      const Index beyond = complex.neighbour(facet / 4, static_cast<int>(facet % 4));
+      return inside[facet / 4] && (beyond == kNone || !inside[beyond]);
+    });
+  result.report.tetrahedraKept =
+    static_cast<Index>(std::count(inside.begin(), inside.end(), std::uint8_t{ 1 }));
   result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
   return result;
 }

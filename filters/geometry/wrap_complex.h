@@ -5,6 +5,7 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/flow_complex.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,12 @@ public:
   const FlowComplex& flow() const { return this->Flow; }
 
   bool keepsTet(Index tet) const { return this->State[tet] & kTet; }
+
+  Index keptTetCount() const
+  {
+    return static_cast<Index>(std::count_if(this->State.begin(), this->State.end(),
+      [](std::uint8_t state) { return (state & kTet) != 0; }));
+  }
 
   /// Number of kept tetrahedra beside the triangle: 2 interior, 1 boundary, 0 sheet or gone.
   int keptSides(Facet facet) const

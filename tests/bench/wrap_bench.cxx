@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Whole runs of `scanwrap FILE wrap -o FILE` against the bare sequential Delaunay triangulation of
+// CGAL on the same points, in turn, in one run: seconds, ratio, peak memory, growth.
+//
+//   wrap_bench [--runs=N] [--threads=N] [POINTS ...]     default: 3 runs; 200000 1000000 3000000
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+
+double now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A bumpy tube around a trefoil knot, points in random order with noise of a tenth of the mean
+/// spacing along the normal: a scan without any favourable order or regularity.
+std::vector<Point> knotScan(std::size_t count)
+{
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kArea = 8700.0; // of the tube, about
+  std::mt19937_64 random(1998);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+  const auto centre = [](double t)
+  {
+    const double r = 10.0 * (2.0 + std::cos(3.0 * t));
+    return Kernel::Vector_3(r * std::cos(2.0 * t), r * std::sin(2.0 * t), 10.0 * std::sin(3.0 * t));
+  };
+  const double noise = 0.1 * std::sqrt(kArea / static_cast<double>(count));
+  std::vector<Point> points;
+  points.reserve(count);
+  while (points.size() < count)
+  {
+    const double t = kTurn * uniform();
+    const double angle = kTurn * uniform();
+    constexpr double kStep = 1e-4;
+    const auto tangent = (centre(t + kStep) - centre(t - kStep)) / (2.0 * kStep);
+    const auto bend = centre(t + kStep) + centre(t - kStep) - 2.0 * centre(t);
+    auto binormal = CGAL::cross_product(tangent, bend);
+    auto normal = CGAL::cross_product(binormal, tangent);
+    binormal = binormal / std::sqrt(binormal.squared_length());
+    normal = normal / std::sqrt(normal.squared_length());
+    const double radius =
+      4.0 * (1.0 + 0.1 * std::sin(9.0 * t) + 0.06 * std::sin(7.0 * angle + 23.0 * t));
+    constexpr double kLongestTangent = 69.0; // rejection keeps the density even along the knot
+    if (uniform() * kLongestTangent > std::sqrt(tangent.squared_length()))
+    {
+      continue;
+    }
+    const double r = radius + noise * (uniform() + uniform() + uniform() - 1.5) * 2.0;
+    points.push_back(CGAL::ORIGIN +
+      (centre(t) + normal * (r * std::cos(angle)) + binormal * (r * std::sin(angle))));
+  }
+  return points;
+}
+
+void writePoints(const fs::path& file, const std::vector<Point>& points)
+{
+  std::FILE* out = std::fopen(file.c_str(), "w");
+  for (const Point& p : points)
+  {
+    std::fprintf(out, "%.6f %.6f %.6f\n", p.x(), p.y(), p.z());
+  }
+  std::fclose(out);
+}
+
+std::vector<Point> readPoints(const char* file)
+{
+  std::vector<Point> points;
+  std::FILE* in = std::fopen(file, "r");
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  while (std::fscanf(in, "%lf %lf %lf", &x, &y, &z) == 3) // NOLINT(cert-err34-c): our own file
+  {
+    points.emplace_back(x, y, z);
+  }
+  std::fclose(in);
+  return points;
+}
+
+/// The rival, in a process of its own: seconds for the triangulation alone, on standard output.
+int triangulateBare(const char* file)
+{
+  const std::vector<Point> points = readPoints(file);
+  const double start = now();
+  const CGAL::Delaunay_triangulation_3<Kernel> triangulation(points.begin(), points.end());
+  std::printf("%.6f\n", now() - start);
+  return triangulation.number_of_finite_cells() > 0 ? 0 : 1;
+}
+
+struct Run
+{
+  double seconds = 0.0; ///< wall clock of the process, or what it printed
+  double megabytes = 0.0;
+};
+
+/// Runs a program to its end. When it prints a number, that is its time.
+Run runProcess(const std::vector<std::string>& command)
+{
+  std::array<int, 2> pipe{};
+  if (::pipe(pipe.data()) != 0)
+  {
+    std::perror("pipe");
+    std::exit(1);
+  }
+  const double start = now();
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    dup2(pipe[1], STDOUT_FILENO);
+    close(pipe[0]);
+    close(pipe[1]);
+    std::vector<char*> arguments;
+    for (const std::string& word : command)
+    {
+      arguments.push_back(const_cast<char*>(word.c_str()));
+    }
+    arguments.push_back(nullptr);
+    execv(arguments[0], arguments.data());
+    std::_Exit(127);
+  }
+  close(pipe[1]);
+  std::string printed;
+  std::array<char, 256> buffer{};
+  for (ssize_t n = 0; (n = read(pipe[0], buffer.data(), buffer.size())) > 0;)
+  {
+    printed.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+  close(pipe[0]);
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  {
+    std::fprintf(stderr, "%s failed\n", command[0].c_str());
+    std::exit(1);
+  }
+  const double told = std::strtod(printed.c_str(), nullptr);
+  return { told > 0.0 ? told : now() - start, static_cast<double>(usage.ru_maxrss) / 1024.0 };
+}
+
+/// Median seconds and largest memory of several runs.
+Run summary(std::vector<Run> runs)
+{
+  std::sort(
+    runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.seconds < b.seconds; });
+  Run result = runs[runs.size() / 2];
+  for (const Run& run : runs)
+  {
+    result.megabytes = std::max(result.megabytes, run.megabytes);
+  }
+  return result;
+}
+
+struct Options
+{
+  int runs = 3;
+  std::string threads = "0";
+  std::vector<std::size_t> sizes;
+};
+
+Options parse(int argc, char** argv)
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string_view word(argv[i]);
+    if (word.starts_with("--runs="))
+    {
+      options.runs = std::max(1, std::atoi(argv[i] + 7)); // NOLINT(cert-err34-c)
+    }
+    else if (word.starts_with("--threads="))
+    {
+      options.threads = word.substr(10);
+    }
+    else
+    {
+      options.sizes.push_back(std::strtoull(argv[i], nullptr, 10));
+    }
+  }
+  if (options.sizes.empty())
+  {
+    options.sizes = { 200'000, 1'000'000, 3'000'000 };
+  }
+  return options;
+}
+
+void benchmark(const Options& options, const fs::path& folder)
+{
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  const std::string scanwrap = self.parent_path() / "scanwrap";
+  const std::string scan = folder / "scan.xyz";
+  const std::string mesh = folder / "mesh.stl";
+  std::printf(
+    "%9s  %-22s %9s %7s %9s %12s\n", "points", "run", "seconds", "ratio", "peak MB", "us a point");
+  for (const std::size_t size : options.sizes)
+  {
+    writePoints(scan, knotScan(size));
+    std::vector<Run> bare;
+    std::vector<Run> classic;
+    std::vector<Run> automatic;
+    const auto wrapCommand = [&](const char* mode)
+    {
+      return std::vector<std::string>{ scanwrap, scan, "--quiet", "--overwrite",
+        "--threads=" + options.threads, "wrap", mode, "-o", mesh };
+    };
+    for (int run = 0; run < options.runs; ++run) // in turn, so that a slow spell hits all alike
+    {
+      bare.push_back(runProcess({ self, "--bare", scan }));
+      classic.push_back(runProcess(wrapCommand("--mode=classic")));
+      automatic.push_back(runProcess(wrapCommand("--mode=auto")));
+    }
+    const Run rival = summary(bare);
+    const auto print = [&](const char* name, const Run& run)
+    {
+      std::printf("%9zu  %-22s %9.2f %7.2f %9.0f %12.2f\n", size, name, run.seconds,
+        run.seconds / rival.seconds, run.megabytes, 1e6 * run.seconds / static_cast<double>(size));
+    };
+    print("CGAL Delaunay, bare", rival);
+    print("wrap --mode=classic", summary(classic));
+    print("wrap --mode=auto", summary(automatic));
+    std::fflush(stdout);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc == 3 && std::strcmp(argv[1], "--bare") == 0)
+  {
+    return triangulateBare(argv[2]);
+  }
+  std::string folder = (fs::temp_directory_path() / "wrap_bench_XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr)
+  {
+    std::perror("mkdtemp");
+    return 1;
+  }
+  benchmark(parse(argc, argv), folder);
+  fs::remove_all(folder);
+  return 0;
+}
