@@ -54,7 +54,7 @@ std::vector<MeasuredWall> measure(const FlowComplex& flow, const Basins& basins,
           doorRatio =
             static_cast<float>(std::min(basins.size[a], basins.size[b]) / std::sqrt(radius2));
         }
-        measured[w] = { v, a, b, excessArea(complex, spacing, v), doorRatio };
+        measured[w] = { v, a, b, excessSize(complex, spacing, v), doorRatio };
       }
     });
   return measured;

@@ -15,7 +15,7 @@ namespace scan
 // triangles between the two. A good cut passes through many points and is a manifold of simple
 // topology: maximise
 //
-//   F = V + (V - T/2) - mu * sum over cut triangles of their excess area
+//   F = V + (V - T/2) - mu * sum over cut triangles of their excess size
 //
 // with V the points on the cut and T its triangles (for a closed surface V - T/2 is its Euler
 // characteristic). A bubble, a handle, a doubled layer cost (V - T/2), a missed point costs 1, mu

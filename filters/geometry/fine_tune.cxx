@@ -144,7 +144,7 @@ private:
   double excess(Facet facet) const
   {
     return static_cast<double>(
-      excessArea(this->Complex, this->Spacing, this->Complex.facetVertices(facet)));
+      excessSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)));
   }
 
   /// Change in the number of edges with more than two cut triangles.

@@ -236,7 +236,7 @@ TEST_P(WrapFixtures, PersistencePairsAreEqual)
 }
 
 INSTANTIATE_TEST_SUITE_P(Exact, WrapFixtures, testing::ValuesIn(fixtureFiles()),
-  [](const auto& info) { return info.param.stem().string(); });
+  [](const auto& test) { return test.param.stem().string(); });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(WrapFixtures);
 
 TEST(WrapFixtureFolder, IsThere)
