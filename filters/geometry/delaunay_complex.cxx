@@ -218,13 +218,21 @@ void copyCells(const Cells& cells, DelaunayComplex& complex, Execution& executio
       {
         const auto cell = cells[i];
         const Index tet = cell->info();
-        for (int k = 0; tet != kNone && k < 4; ++k)
+        for (Facet k = 0; tet != kNone && k < 4; ++k)
         {
-          const auto neighbour = cell->neighbor(k);
-          complex.tetrahedra[tet][k] = cell->vertex(k)->info();
-          complex.mirror[tet][k] = neighbour->info() == kNone
-            ? kNone
-            : 4 * neighbour->info() + static_cast<Index>(neighbour->index(cell));
+          complex.tetrahedra[tet][k] = cell->vertex(static_cast<int>(k))->info();
+          const auto neighbour = cell->neighbor(static_cast<int>(k));
+          const Index beyond = neighbour->info();
+          if (beyond == kNone)
+          {
+            complex.mirror[tet][k] = kNone;
+          }
+          else if (beyond > tet) // each pair once
+          {
+            const auto back = static_cast<Facet>(neighbour->index(cell));
+            complex.mirror[tet][k] = 4 * beyond + back;
+            complex.mirror[beyond][back] = 4 * tet + k;
+          }
         }
       }
     });

@@ -123,12 +123,21 @@ private:
     {
       return Fate::stays;
     }
+    // the tetrahedra beyond attached facets are cofaces too, and usually settle it
+    for (unsigned rest = attached; rest != 0; rest &= rest - 1)
+    {
+      const Index beyond = this->Complex.neighbour(tet, std::countr_zero(rest));
+      const Fate fate = beyond == kNone ? Fate::goes : this->ask({ true, beyond });
+      if (fate != Fate::goes)
+      {
+        return fate;
+      }
+    }
     if (std::popcount(attached) == 1)
     {
-      const Index beyond = this->Complex.neighbour(tet, std::countr_zero(attached));
-      return beyond == kNone ? Fate::goes : this->ask({ true, beyond });
+      return Fate::goes;
     }
-    // two: all but this tetrahedron around the edge, seen from either of its attached facets
+    // two: everything else around their edge, seen from either of them
     const auto first = static_cast<unsigned>(std::countr_zero(attached));
     const auto second = static_cast<unsigned>(std::countr_zero(attached & (attached - 1)));
     return this->decideEdge(4 * tet + first, this->Complex.tetrahedra[tet][second], tet, kNone);
