@@ -10,6 +10,7 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <sys/resource.h>
 
 #include <memory>
 #include <string>
@@ -21,6 +22,12 @@ namespace
 
 [[noreturn]] void refuse(const std::string& what)
 {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+  {
+    throw Error(
+      ErrorCode::memory, "picture: " + what + " within the memory limit; allow more memory");
+  }
   throw Error(ErrorCode::internal,
     "picture: " + what + "; install the packages libegl1, libegl-mesa0 and libgl1-mesa-dri");
 }

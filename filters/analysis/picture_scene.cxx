@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/analysis/picture_scene.h"
 
+#include "filters/analysis/cloud_normals.h"
 #include "filters/base/error.h"
 #include "filters/base/vtkScanMeshBridge.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkColor.h>
 #include <vtkLight.h>
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
-#include <vtkPCANormalEstimation.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -27,8 +29,8 @@ namespace
 /// Edges of a model sharper than this are drawn sharp.
 constexpr double kFeatureAngle = 40.0;
 
-/// Points that suggest a plane.
-constexpr int kNeighbours = 12;
+/// Fewer points suggest no surface.
+constexpr std::size_t kFewestShaded = 13;
 
 void addLight(vtkRenderer& renderer, const Vec3& from, double intensity)
 {
@@ -49,31 +51,29 @@ void dye(vtkProperty& property, const Rgb& color)
   property.SetSpecularPower(25.0);
 }
 
+void abortIfCancelled(vtkObject* caller, unsigned long, void* execution, void*)
+{
+  if (static_cast<const Execution*>(execution)->cancelled())
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  }
+}
+
 /// Smooth shading across gentle edges; orientation stays as it is, so that mistakes in it show.
-vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& data)
+vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData& data, Execution& execution)
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(&data);
   normals->SetFeatureAngle(kFeatureAngle);
   normals->SplittingOn();
   normals->ConsistencyOff();
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(abortIfCancelled);
+  observer->SetClientData(&execution);
+  normals->AddObserver(vtkCommand::ProgressEvent, observer);
   normals->Update();
+  execution.step("shade", 1, 1);
   return normals->GetOutput();
-}
-
-/// Normals of the planes through the nearest points, turned towards the eye.
-vtkSmartPointer<vtkPolyData> withEstimatedNormals(vtkPolyData& data, const Vec3& eye)
-{
-  vtkNew<vtkPCANormalEstimation> normals;
-  normals->SetInputData(&data);
-  normals->SetSampleSize(kNeighbours);
-  normals->SetNormalOrientationToPoint();
-  normals->SetOrientationPoint(eye.x, eye.y, eye.z);
-  normals->Update();
-  vtkSmartPointer<vtkPolyData> shaded = vtkSmartPointer<vtkPolyData>::New();
-  shaded->ShallowCopy(&data);
-  shaded->GetPointData()->SetNormals(normals->GetOutput()->GetPointData()->GetNormals());
-  return shaded;
 }
 
 } // namespace
@@ -93,18 +93,19 @@ Rgb parseColor(const std::string& text)
 }
 
 void addModel(vtkRenderer& renderer, const TriMesh& mesh, std::span<const Segment> lines,
-  const PictureStyle& style, const Vec3& eye)
+  const PictureStyle& style, const Vec3& eye, Execution& execution)
 {
   vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
   bridge::setMesh(*data, mesh, lines);
-  const bool isCloud = mesh.triangles.empty() && lines.empty() && mesh.points.size() > kNeighbours;
+  const bool isCloud =
+    mesh.triangles.empty() && lines.empty() && mesh.points.size() >= kFewestShaded;
   if (!mesh.triangles.empty())
   {
-    data = withNormals(*data);
+    data = withNormals(*data, execution);
   }
   else if (isCloud)
   {
-    data = withEstimatedNormals(*data, eye);
+    data->GetPointData()->SetNormals(cloudNormals(*data, eye, execution));
   }
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/analysis/view_framing.h"
+#include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
 #include <array>
@@ -31,9 +32,9 @@ struct PictureStyle
 
 /// Puts the model into the renderer, with lights that follow the camera. Points alone are shaded
 /// like the surface that their neighbours suggest, seen from the eye. Model coordinates should be
-/// near the origin: graphics have single precision.
+/// near the origin: graphics have single precision. Reports and checks the phase "shade".
 void addModel(vtkRenderer& renderer, const TriMesh& mesh, std::span<const Segment> lines,
-  const PictureStyle& style, const Vec3& eye);
+  const PictureStyle& style, const Vec3& eye, Execution& execution);
 
 /// Sets the renderer's camera; call it after addModel. An angle of 0 is a parallel projection.
 void aimCamera(vtkRenderer& renderer, const ViewFrame& frame, double viewAngle);

@@ -204,7 +204,7 @@ void vtkScanRenderFilter::Render(
       "picture: width and height must be from 16 to 4096 pixels, not " +
         std::to_string(this->Width) + " by " + std::to_string(this->Height));
   }
-  execution.plan({ { "prepare", 1.0 }, { "draw", 3.0 } });
+  execution.plan({ { "prepare", 1.0 }, { "shade", 3.0 }, { "draw", 2.0 } });
   execution.step("prepare", 0, 1);
   const Model model = modelOf(input);
 
@@ -232,7 +232,7 @@ void vtkScanRenderFilter::Render(
 
   vtkNew<vtkRenderer> renderer;
   setBackground(*renderer, this->Background);
-  scan::addModel(*renderer, model.mesh, model.lines, style, frame.position);
+  scan::addModel(*renderer, model.mesh, model.lines, style, frame.position, execution);
   scan::aimCamera(*renderer, frame, view.viewAngle);
   execution.step("draw", 0, 1);
 

@@ -5,6 +5,7 @@
 #include "filters/base/error.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -84,7 +85,9 @@ void Execution::parallelFor(std::size_t n, std::size_t grain,
       }
       body(range.begin(), range.end());
     };
-    tbb::task_arena arena(static_cast<int>(this->Threads));
+    // more than the machine's would only make TBB complain on stderr
+    const int threads = std::min(static_cast<int>(this->Threads), tbb::info::default_concurrency());
+    tbb::task_arena arena(threads);
     arena.execute(
       [&] { tbb::parallel_for(Range(0, n, grain), guarded, tbb::simple_partitioner(), context); });
   }

@@ -40,7 +40,7 @@ void checkCoordinates(std::span<const Vec3> points)
   if (points.size() >= kNone / 32)
   {
     throw Error(ErrorCode::limit,
-      "wrap: " + std::to_string(points.size()) + " points are more than the " +
+      std::to_string(points.size()) + " points are more than the " +
         std::to_string(kNone / 32 - 1) + " that fit; thin the scan first");
   }
   const auto usable = [](double c) { return std::abs(c) <= kLargestCoordinate; }; // false for NaN
@@ -50,7 +50,7 @@ void checkCoordinates(std::span<const Vec3> points)
     if (!usable(p.x) || !usable(p.y) || !usable(p.z))
     {
       throw Error(ErrorCode::badInput,
-        "wrap: point " + std::to_string(i) +
+        "point " + std::to_string(i) +
           " has a coordinate that is not finite or beyond 1e50; remove it first");
     }
   }
@@ -253,12 +253,12 @@ DelaunayComplex buildDelaunayComplex(std::span<const Vec3> input, Execution& exe
     static constexpr const char* kShape[] = { "there is no point", "all points are equal",
       "all points lie on one line", "all points lie in one plane" };
     throw Error(ErrorCode::badInput,
-      std::string("wrap: ") + kShape[triangulation.dimension() + 1] +
+      std::string(kShape[triangulation.dimension() + 1]) +
         "; a surface in space needs at least four points that are not in one plane");
   }
   if (triangulation.number_of_finite_cells() > kMostTetrahedra)
   {
-    throw Error(ErrorCode::limit, "wrap: more than 2^30 tetrahedra; thin the scan first");
+    throw Error(ErrorCode::limit, "more than 2^30 tetrahedra; thin the scan first");
   }
   std::vector<IndexedPoint>().swap(points);
 

@@ -16,8 +16,7 @@ namespace scan
 namespace
 {
 
-/// Moves a surface on all vertices of the complex to the vertices it uses, numbered in the order
-/// of the scan points.
+/// Moves a surface on all vertices of the complex to the vertices it uses, in the same order.
 void compact(const DelaunayComplex& complex, WrapResult& result)
 {
   constexpr Index kUsed = kNone - 1;
