@@ -12,18 +12,7 @@
 namespace scan
 {
 
-PeakMemory::PeakMemory()
-{
-  const int file = ::open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
-  if (file >= 0)
-  {
-    // "5" resets the peak; a refusal leaves the peak of the whole run, which is what we promise
-    [[maybe_unused]] const auto written = ::write(file, "5", 1);
-    ::close(file);
-  }
-}
-
-std::int64_t PeakMemory::bytes() const
+std::int64_t peakMemory()
 {
   const int file = ::open("/proc/self/status", O_RDONLY | O_CLOEXEC);
   if (file < 0)

@@ -7,13 +7,8 @@
 namespace scan
 {
 
-/// Peak resident memory of the program since the construction of the object. Where the system does
-/// not let a program reset its peak, since the program's start; 0 where it does not tell.
-class PeakMemory
-{
-public:
-  PeakMemory();
-  std::int64_t bytes() const;
-};
+/// Peak resident memory of the program since its start, in bytes: never falls, and agrees with what
+/// the system reports from outside. 0 where the system does not tell.
+std::int64_t peakMemory();
 
 } // namespace scan

@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <exception>
+#include <new>
 #include <string>
 
 namespace scan
@@ -91,7 +92,6 @@ vtkScanOutcome updateOnce(vtkAlgorithm& fresh, const RunOptions& options)
 StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOptions& options)
 {
   const auto start = std::chrono::steady_clock::now();
-  const PeakMemory memory;
   StepResult step;
   try
   {
@@ -101,7 +101,11 @@ StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOpti
     }
     step.outcome = updateOnce(fresh, options);
   }
-  catch (const std::exception& error) // plain VTK algorithms have no guard
+  catch (const std::bad_alloc&) // plain VTK algorithms have no guard
+  {
+    step.outcome = { State::failed, ErrorCode::memory, "out of memory; allow more memory" };
+  }
+  catch (const std::exception& error)
   {
     step.outcome = { State::failed, ErrorCode::internal, error.what() };
   }
@@ -113,7 +117,7 @@ StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOpti
     step.output->ShallowCopy(output);
   }
   step.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  step.peakBytes = memory.bytes();
+  step.peakBytes = peakMemory();
   return step;
 }
 

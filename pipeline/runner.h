@@ -29,7 +29,7 @@ struct StepResult
 {
   vtkScanOutcome outcome;
   double seconds = 0.0;
-  std::int64_t peakBytes = 0; ///< peak resident memory of the program during the step
+  std::int64_t peakBytes = 0; ///< peak resident memory of the program so far
   Results results;
   vtkSmartPointer<vtkDataObject> output; ///< null unless it went well; nobody changes it any more
 };
