@@ -21,16 +21,49 @@ namespace
 
 constexpr std::size_t kBufferBytes = std::size_t(1) << 20U;
 
-std::string randomSuffix()
+/// NAME.part-XXXXXX beside the target; a long NAME is cut, the system's limit holds for the whole.
+std::string partName(const std::string& target)
 {
   static constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  constexpr std::size_t kLongest = 200;
+  const std::size_t name = target.rfind('/') + 1; // 0 without a folder
   std::random_device random;
-  std::string suffix = ".part-";
+  std::string part = target.substr(0, name) + target.substr(name, kLongest) + ".part-";
   for (int i = 0; i < 6; ++i)
   {
-    suffix += kLetters[random() % kLetters.size()];
+    part += kLetters[random() % kLetters.size()];
   }
-  return suffix;
+  return part;
+}
+
+/// The file behind symbolic links, whether it exists or not; empty for links in a circle.
+std::string behindLinks(const std::string& path)
+{
+  constexpr int kMostLinks = 40;
+  std::filesystem::path target = path;
+  std::error_code status;
+  for (int i = 0; i < kMostLinks; ++i)
+  {
+    const std::filesystem::path next = std::filesystem::read_symlink(target, status);
+    if (status)
+    {
+      return target.string();
+    }
+    target = target.parent_path() / next;
+  }
+  return {};
+}
+
+/// A file without a name in the target's folder, which vanishes however the program ends; -1 where
+/// the system has none.
+int openUnnamed(const std::string& target)
+{
+  if (::access("/proc/self/fd", X_OK) != 0) // commit() needs it
+  {
+    return -1;
+  }
+  const std::string folder = target.substr(0, target.rfind('/') + 1) + ".";
+  return ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
 }
 
 } // namespace
@@ -55,9 +88,11 @@ OutputFile::OutputFile(const std::string& path)
     }
     return;
   }
-  std::error_code ignored;
-  const bool isLink = std::filesystem::is_symlink(path, ignored);
-  this->Target = isLink ? std::filesystem::weakly_canonical(path, ignored).string() : path;
+  this->Target = behindLinks(path);
+  if (this->Target.empty())
+  {
+    this->fail(ELOOP);
+  }
   if (isThere && ::access(this->Target.c_str(), W_OK) != 0)
   {
     this->fail(errno);
@@ -83,14 +118,36 @@ OutputFile::~OutputFile()
 
 void OutputFile::openPart()
 {
+  this->Descriptor = openUnnamed(this->Target);
+  if (this->Descriptor >= 0)
+  {
+    return;
+  }
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
   std::string part;
   do
   {
-    part = this->Target + randomSuffix();
+    part = partName(this->Target);
     this->Descriptor = ::open(part.c_str(), kFlags, 0666);
   } while (this->Descriptor < 0 && errno == EEXIST);
   if (this->Descriptor < 0)
+  {
+    this->fail(errno);
+  }
+  this->Part = part;
+}
+
+void OutputFile::namePart()
+{
+  const std::string self = "/proc/self/fd/" + std::to_string(this->Descriptor);
+  std::string part;
+  int status = 0;
+  do
+  {
+    part = partName(this->Target);
+    status = ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, part.c_str(), AT_SYMLINK_FOLLOW);
+  } while (status != 0 && errno == EEXIST);
+  if (status != 0)
   {
     this->fail(errno);
   }
@@ -119,7 +176,15 @@ void OutputFile::commit()
   {
     return;
   }
-  if (::fsync(this->Descriptor) != 0 || ::rename(this->Part.c_str(), this->Target.c_str()) != 0)
+  if (::fsync(this->Descriptor) != 0)
+  {
+    this->fail(errno);
+  }
+  if (this->Part.empty())
+  {
+    this->namePart();
+  }
+  if (::rename(this->Part.c_str(), this->Target.c_str()) != 0)
   {
     this->fail(errno);
   }
@@ -129,14 +194,16 @@ void OutputFile::commit()
 void OutputFile::fail(int error) const
 {
   const bool isFull = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  const bool isDirect = this->Target.empty() && this->Descriptor >= 0;
   const std::string reason = error == EFBIG ? "the file is larger than the system allows"
     : isFull                                ? "disk full"
+    : error == EPIPE                        ? "the program that reads it has ended"
+    : error == EBADF && isDirect            ? "is closed or cannot be written"
                                             : std::generic_category().message(error);
-  const std::string advice =
-    isFull ? "make room or choose another folder" : "check the name and the permissions";
-  const std::string state = this->Target.empty() && this->Descriptor >= 0
-    ? "the output is incomplete"
-    : "nothing was written";
+  const std::string advice = isFull ? "make room or choose another folder"
+    : isDirect                      ? "give -o another file"
+                                    : "check the name and the permissions";
+  const std::string state = isDirect ? "the output is incomplete" : "nothing was written";
   throw Error(ErrorCode::io, this->Name + ": " + reason + "; " + advice + "; " + state);
 }
 

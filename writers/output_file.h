@@ -11,10 +11,11 @@ namespace scan
 
 /// A file that appears under its name only when it is complete.
 ///
-/// Bytes go to NAME.part-XXXXXX beside the target, in large blocks; commit() makes them durable and
-/// renames. Without commit() the destructor removes the part, and a target that was there stays as
-/// it was. A target's permissions and symbolic links are kept. "-" is standard output; it and
-/// devices and pipes are written directly.
+/// Bytes go, in large blocks, to a file without a name in the target's folder, which vanishes even
+/// when the program is killed; where the system has no such files, to NAME.part-XXXXXX, which the
+/// destructor removes. commit() makes them durable and gives them the name; without it a target
+/// that was there stays as it was. A target's permissions and symbolic links are kept. "-" is
+/// standard output; it and devices and pipes are written directly.
 ///
 /// Every function but the destructor throws Error io: missing folder, no permission, disk full.
 class OutputFile
@@ -42,12 +43,13 @@ public:
 
 private:
   void openPart();
+  void namePart();
   void flush();
   [[noreturn]] void fail(int error) const;
 
   std::string Name;
   std::string Target; // behind symbolic links; empty when written directly
-  std::string Part;   // while it exists
+  std::string Part;   // while it exists under this name
   int Descriptor = -1;
   std::vector<char> Buffer;
 };

@@ -58,7 +58,7 @@ void vtkScanPngWriter::WriteData()
       scan::OutputFile file(this->FileName);
       file.write({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
         static_cast<std::size_t>(bytes->GetNumberOfValues()) });
+      execution.step("write", 1, 1); // a cancel comes too late once the file has its name
       file.commit();
-      execution.step("write", 1, 1);
     });
 }

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -127,4 +129,43 @@ TEST(OutputFile, ExplainsWhatItCannotOpen)
   const TemporaryFolder folder;
   EXPECT_NE(errorOf(folder.file("no/folder.stl"), "abc").find("No such file"), std::string::npos);
   EXPECT_NE(errorOf(folder.file(""), "abc").find("Is a directory"), std::string::npos);
+}
+
+TEST(OutputFile, LeavesNothingWhenTheProgramIsKilled)
+{
+  const TemporaryFolder folder;
+  const int unnamed = ::open(folder.file("").c_str(), O_WRONLY | O_TMPFILE, 0600);
+  if (unnamed < 0)
+  {
+    GTEST_SKIP() << "the file system has no files without a name";
+  }
+  ::close(unnamed);
+  OutputFile file(folder.file("part.stl"));
+  file.write(std::string(3000000, 'x'));
+  EXPECT_EQ(folder.fileCount(), 0U); // nothing that a destructor would have to remove
+}
+
+TEST(OutputFile, TakesTheLongestNames)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(errorOf(folder.file(std::string(255, 'a')), "abc"), "");
+  EXPECT_EQ(folder.fileCount(), 1U);
+  EXPECT_NE(errorOf(folder.file(std::string(256, 'a')), "abc").find("too long"), std::string::npos);
+}
+
+TEST(OutputFile, WritesBehindALinkThatLeadsNowhereYet)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("target", folder.file("link"));
+  EXPECT_EQ(errorOf(folder.file("link"), "abc"), "");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  EXPECT_EQ(contentOf(folder.file("target")), "abc");
+}
+
+TEST(OutputFile, RefusesLinksInACircle)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.file("a"));
+  std::filesystem::create_symlink("a", folder.file("b"));
+  EXPECT_NE(errorOf(folder.file("a"), "abc").find("symbolic links"), std::string::npos);
 }
