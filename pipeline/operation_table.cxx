@@ -144,7 +144,7 @@ Operation infoOperation()
 Operation renderOperation()
 {
   constexpr double kLeastPixels = 16;
-  constexpr double kMostPixels = 8192;
+  constexpr double kMostPixels = 4096;
   Operation row;
   row.verb = "render";
   row.stage = Stage::analysis;

@@ -37,10 +37,21 @@ void checkOutput(const std::string& path, bool mayReplace)
       throw Error(
         ErrorCode::badParameter, path + ": exists already; choose another name or add --overwrite");
     }
+    if (::access(path.c_str(), W_OK) != 0)
+    {
+      throw Error(ErrorCode::badParameter,
+        path + ": cannot be replaced: " + std::generic_category().message(errno));
+    }
     if (!S_ISREG(status.st_mode))
     {
       return; // devices and pipes are written in place
     }
+  }
+  else if (errno == ENAMETOOLONG || errno == ELOOP)
+  {
+    throw Error(ErrorCode::badParameter,
+      path + ": cannot be a file: " + std::generic_category().message(errno) +
+        "; choose another name");
   }
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <system_error>
 
 namespace scan
 {
@@ -88,7 +89,15 @@ private:
 
   void word(const std::string& word)
   {
-    if (word == "-o")
+    if (this->AreDashesNames && word.starts_with('-'))
+    {
+      this->input(word);
+    }
+    else if (word == "--")
+    {
+      this->AreDashesNames = true;
+    }
+    else if (word == "-o")
     {
       if (this->Words.empty())
       {
@@ -112,6 +121,7 @@ private:
     {
       this->Line.steps.emplace_back(OperationWish{ operation, {} });
       this->VerbIndex = this->Line.steps.size() - 1;
+      this->AreDashesNames = false;
     }
     else
     {
@@ -121,7 +131,8 @@ private:
 
   void input(const std::string& word)
   {
-    const bool isFile = word == "-" || std::filesystem::exists(std::filesystem::path(word));
+    std::error_code unknown; // the reader says best what is wrong with a name
+    const bool isFile = word == "-" || std::filesystem::exists(word, unknown) || unknown;
     const std::string similar = isFile ? "" : suggestion(word, verbs());
     if (this->currentVerb() != nullptr)
     {
@@ -165,7 +176,11 @@ private:
       refuse("--" + name + ": expected --" + name + "=VALUE, " + rangeText(*parameter));
     }
     const std::string value = equals == std::string::npos ? "true" : text.substr(equals + 1);
-    (isGlobal ? this->Globals : verb->given)[name] = parseValue(*parameter, value);
+    ParameterValues& given = isGlobal ? this->Globals : verb->given;
+    if (!given.emplace(name, parseValue(*parameter, value)).second)
+    {
+      refuse("--" + name + ": is given twice; keep one of them");
+    }
     if (isGlobal && name == "help" && verb != nullptr)
     {
       this->Line.helpVerb = verb->operation;
@@ -213,6 +228,10 @@ private:
     line.dryRun = this->global<bool>("dry-run");
     line.overwrite = this->global<bool>("overwrite");
     line.json = this->global<std::string>("json");
+    if (line.json.empty() && this->Globals.contains("json"))
+    {
+      refuse("--json=: expected the name of a file, or - for standard output");
+    }
     line.progress = progress == "json" ? ProgressMode::json
       : progress == "none"             ? ProgressMode::none
                                        : ProgressMode::automatic;
@@ -235,6 +254,7 @@ private:
   CommandLine Line;
   ParameterValues Globals;
   std::optional<std::size_t> VerbIndex;
+  bool AreDashesNames = false; // behind --, up to the first verb
 };
 
 } // namespace
@@ -249,7 +269,9 @@ const std::vector<Parameter>& globalOptions()
     { .name = "overwrite", .defaultValue = false, .help = "replace outputs that exist" },
     { .name = "json",
       .defaultValue = "",
-      .help = "write a record of every step to this file, or to standard output (-)" },
+      .help =
+        "write a record of every step to this file, or to standard output (-); peak-bytes is the "
+        "program's peak memory so far" },
     { .name = "progress",
       .defaultValue = "auto",
       .help = "on stderr: a bar on a terminal, nothing, or a JSON object a line",

@@ -32,7 +32,8 @@ std::string programHelp()
     "       scanwrap VERB --help\n\n"
     "The files are opened, several as one model; the verbs work on it from left to\n"
     "right; -o writes what there is at that place, a picture if it ends in .png.\n"
-    "- is standard input or output.\n\noperations:\n";
+    "- is standard input or output; behind -- files may have names that start with -.\n"
+    "\noperations:\n";
   for (const Operation& operation : operationTable())
   {
     text += fmt::format("  {:<10} {:<10} {}\n", operation.verb,

@@ -3,6 +3,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/help.h"
+#include "app/cli/process.h"
 #include "app/cli/session.h"
 #include "filters/base/error.h"
 #include "pipeline/output_files.h"
@@ -10,10 +11,8 @@
 #include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 
-#include <fmt/format.h>
-#include <sys/resource.h>
-
-#include <csignal>
+#include <algorithm>
+#include <cstdlib>
 #include <new>
 #include <string>
 #include <vector>
@@ -23,31 +22,7 @@ namespace
 
 using scan::ExitStatus;
 
-/// Raised by the signal handler, hence global.
-const scan::CancelToken kInterrupted;
-
-void handleSignals()
-{
-  struct sigaction action = {};
-  action.sa_handler = [](int) { kInterrupted.cancel(); };
-  action.sa_flags = static_cast<int>(SA_RESETHAND); // a second Ctrl-C ends the program at once
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
-  // a limit on file sizes and a closed pipe become errors of the write
-  ::signal(SIGXFSZ, SIG_IGN);
-  ::signal(SIGPIPE, SIG_IGN);
-}
-
-void limitMemory(std::int64_t bytes)
-{
-  if (bytes > 0)
-  {
-    const rlimit limit{ static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes) };
-    ::setrlimit(RLIMIT_DATA, &limit);
-  }
-}
-
-void run(const std::vector<std::string>& words)
+void run(const std::vector<std::string>& words, const scan::CancelToken& token)
 {
   using Action = scan::CommandLine::Action;
   const scan::CommandLine line = scan::parseCommandLine(words);
@@ -61,32 +36,32 @@ void run(const std::vector<std::string>& words)
       scan::writeText("-", "scanwrap " SCAN_VERSION "\n");
       return;
     case Action::run:
-      limitMemory(line.maxMemory);
-      scan::runSession(line, kInterrupted);
+      scan::limitMemory(line.maxMemory);
+      scan::runSession(line, token);
       return;
   }
 }
 
-int fail(ExitStatus status, const char* message)
+/// One line on stderr, whatever names of files hold.
+int fail(ExitStatus status, std::string message)
 {
-  fmt::print(stderr, "scanwrap: {}\n", message);
+  std::ranges::replace_if(
+    message, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
+  scan::say("scanwrap: " + message + "\n");
   return static_cast<int>(status);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int statusOf(const std::vector<std::string>& words, const scan::CancelToken& token)
 {
-  handleSignals();
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // errors are reported once, by us
-  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   try
   {
-    run({ argv + 1, argv + argc });
+    run(words, token);
+    scan::forgetCancel();
     return static_cast<int>(ExitStatus::done);
   }
   catch (const scan::Failure& failure)
   {
+    scan::forgetCancel();
     return fail(failure.status(), failure.what());
   }
   catch (const scan::Error& error)
@@ -103,4 +78,17 @@ int main(int argc, char** argv)
   {
     return fail(ExitStatus::failed, error.what());
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const scan::CancelToken token;
+  scan::reserveStandardDescriptors();
+  scan::cancelOnSignals(token);
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);                   // errors are reported once,
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // by us
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  return statusOf({ argv + 1, argv + argc }, token);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/session.h"
 
+#include "app/cli/process.h"
 #include "app/cli/record.h"
 #include "app/cli/terminal_progress.h"
 #include "filters/base/error.h"
@@ -16,7 +17,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <system_error>
 
 namespace scan
 {
@@ -34,6 +37,8 @@ ExitStatus statusOf(ErrorCode code, ExitStatus otherwise)
       return ExitStatus::overMemory;
     case ErrorCode::badParameter:
       return ExitStatus::usage;
+    case ErrorCode::internal:
+      return ExitStatus::failed;
     default:
       return otherwise;
   }
@@ -54,6 +59,37 @@ auto translated(ExitStatus otherwise, const Body& body)
   catch (const Error& error)
   {
     throw Failure(statusOf(error.code(), otherwise), error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(ExitStatus::overMemory, "out of memory; allow more or use fewer points");
+  }
+}
+
+/// Whether two names, of files that need not exist, mean one file.
+bool isSameFile(const std::string& a, const std::string& b)
+{
+  std::error_code ignored;
+  return a == b ||
+    (a != "-" && b != "-" &&
+      (std::filesystem::equivalent(a, b, ignored) ||
+        std::filesystem::weakly_canonical(std::filesystem::absolute(a, ignored), ignored) ==
+          std::filesystem::weakly_canonical(std::filesystem::absolute(b, ignored), ignored)));
+}
+
+void refuseSameFiles(const std::vector<std::string>& outputs, const CommandLine& line)
+{
+  for (auto output = outputs.begin(); output != outputs.end(); ++output)
+  {
+    const auto isSame = [&](const std::string& other) { return isSameFile(*output, other); };
+    if (std::any_of(outputs.begin(), output, isSame))
+    {
+      throw Failure(ExitStatus::usage, *output + ": is an output twice; give each its own name");
+    }
+    if (*output == line.json && *output != "-" && std::ranges::any_of(line.inputs, isSame))
+    {
+      throw Failure(ExitStatus::usage, *output + ": is an input; give the record its own name");
+    }
   }
 }
 
@@ -87,12 +123,7 @@ public:
       outputs.push_back(this->Line.json);
     }
     this->IsOutputFree = std::ranges::find(outputs, "-") == outputs.end();
-    std::ranges::sort(outputs);
-    const auto twice = std::ranges::adjacent_find(outputs);
-    if (twice != outputs.end())
-    {
-      throw Failure(ExitStatus::usage, *twice + ": is an output twice; give each its own name");
-    }
+    refuseSameFiles(outputs, this->Line);
     for (const std::string& output : outputs)
     {
       translated(ExitStatus::usage, [&] { checkOutput(output, this->Line.overwrite); });
@@ -145,7 +176,7 @@ public:
     {
       parts.push_back(this->open(this->Line.inputs[i], *this->InputFormats[i]));
     }
-    this->Model = mergeModels(parts);
+    this->Model = translated(ExitStatus::failed, [&] { return mergeModels(parts); });
     for (const CommandLine::Step& step : this->Line.steps)
     {
       if (const auto* output = std::get_if<OutputWish>(&step))
@@ -213,7 +244,7 @@ private:
       }
       else
       {
-        fmt::print(stderr, "{}", table);
+        say(table);
       }
     }
   }
@@ -259,8 +290,8 @@ private:
     }
     if (this->Line.verbose)
     {
-      fmt::print(stderr, "{}: {:.2f} s, {:.0f} MB\n{}", verb, step.seconds,
-        static_cast<double>(step.peakBytes) / 1e6, tableOf(step.results));
+      say(fmt::format("{}: {:.2f} s, {:.0f} MB\n{}", verb, step.seconds,
+        static_cast<double>(step.peakBytes) / 1e6, tableOf(step.results)));
     }
     return step;
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/terminal_progress.h"
 
+#include "app/cli/process.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace scan
 {
@@ -39,15 +39,14 @@ void TerminalProgress::show(std::string_view phase, double fraction)
   if (this->Shown == Form::json)
   {
     // verbs and phases are words of ours: nothing in them needs escaping
-    fmt::print(stderr, "{{\"verb\":\"{}\",\"phase\":\"{}\",\"fraction\":{:.4f}}}\n", this->Verb,
-      phase, fraction);
+    say(fmt::format(
+      "{{\"verb\":\"{}\",\"phase\":\"{}\",\"fraction\":{:.4f}}}\n", this->Verb, phase, fraction));
     return;
   }
   constexpr int kWidth = 30;
   const auto filled = static_cast<int>(fraction * kWidth);
-  fmt::print(stderr, "\r\x1b[K{:<10} [{:#<{}}{:.<{}}] {:3.0f}% {}", this->Verb, "", filled, "",
-    kWidth - filled, fraction * 100.0, phase);
-  std::fflush(stderr);
+  say(fmt::format("\r\x1b[K{:<10} [{:#<{}}{:.<{}}] {:3.0f}% {}", this->Verb, "", filled, "",
+    kWidth - filled, fraction * 100.0, phase));
   this->IsBarVisible = true;
 }
 
@@ -55,8 +54,7 @@ void TerminalProgress::finish()
 {
   if (this->IsBarVisible)
   {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
+    say("\r\x1b[K");
     this->IsBarVisible = false;
   }
 }

@@ -33,6 +33,20 @@ scan_cli_test(SameBytesOnAnyThreads "for n in 1 2 5; do scanwrap $DATA/torus.xyz
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
 scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
+scan_cli_test(NamesBehindDashes "cp $DATA/torus.xyz ./--in.xyz; scanwrap -- --in.xyz info" OUT "^points +5000")
+scan_cli_test(LinkIsKept "ln -s out.stl link.stl; scanwrap $DATA/torus.xyz wrap -o link.stl && test -L link.stl" FILES out.stl)
+scan_cli_test(LongName "scanwrap $DATA/torus.xyz wrap -o \"$(printf 'a%.0s' {1..251}).stl\" && ls | wc -c" OUT "^256\n")
+scan_cli_test(TooManyThreads "scanwrap $DATA/torus.xyz --threads=1000 wrap -o out.stl 2> err; cat err" FILES out.stl OUT "^$")
+scan_cli_test(ClosedDescriptors "scanwrap $DATA/torus.xyz wrap --verbose --progress=json -o out.ply <&- >&- 2>&-; scanwrap out.ply info"
+  FILES out.ply OUT "triangles +10000\n")
+scan_cli_test(FullStderr "scanwrap $DATA/torus.xyz wrap --verbose --progress=json -o out.ply 2> /dev/full" FILES out.ply)
+scan_cli_test(OtherLocale "LC_ALL=de_DE.UTF-8 scanwrap $DATA/torus.xyz wrap -o - | md5sum > a; scanwrap $DATA/torus.xyz wrap -o - | md5sum | cmp - a")
+scan_cli_test(InputIsOutput "cp $DATA/torus.xyz in.xyz; scanwrap in.xyz -o out.ply && scanwrap out.ply wrap --overwrite -o out.ply && scanwrap out.ply info"
+  FILES out.ply OUT "triangles +10000\n")
+foreach(format ply stl obj png)
+  scan_cli_test(SameBytes.${format} "scanwrap $DATA/torus.xyz --threads=1 wrap -o 1.${format} && scanwrap $DATA/torus.xyz --threads=2 wrap -o 2.${format} && scanwrap $DATA/torus.xyz --threads=2 wrap -o 3.${format} && '${CMAKE_COMMAND}' -E compare_files 1.${format} 2.${format} && '${CMAKE_COMMAND}' -E compare_files 2.${format} 3.${format}")
+endforeach()
+scan_cli_test(SamePictureOfPoints "for n in 1 2 2; do scanwrap $DATA/torus.xyz --threads=$n --overwrite -o 1.png && md5sum 1.png; done | sort -u | wc -l" OUT "^1\n")
 
 # Wrong usage: refused before any work
 scan_cli_test(NoInput "scanwrap" EXIT 2 ERR "no input")
@@ -40,7 +54,7 @@ scan_cli_test(MistypedVerb "scanwrap $DATA/torus.xyz wrpa -o out.stl" EXIT 2 ERR
 scan_cli_test(MistypedOption "scanwrap $DATA/torus.xyz wrap --mod=auto" EXIT 2 ERR "did you mean '--mode'")
 scan_cli_test(MistypedGlobal "scanwrap --overwite $DATA/torus.xyz" EXIT 2 ERR "did you mean '--overwrite'")
 scan_cli_test(WrongChoice "scanwrap $DATA/torus.xyz wrap --mode=foo -o out.stl" EXIT 2 ERR "auto.classic")
-scan_cli_test(OutOfRange "scanwrap $DATA/torus.xyz render --width=9 -o out.png" EXIT 2 ERR "from 16 to 8192")
+scan_cli_test(OutOfRange "scanwrap $DATA/torus.xyz render --width=9 -o out.png" EXIT 2 ERR "from 16 to 4096")
 scan_cli_test(FileAfterVerb "scanwrap $DATA/torus.xyz wrap $DATA/helix.xyz -o out.stl" EXIT 2 ERR "files stand before")
 scan_cli_test(ResultLost "scanwrap $DATA/torus.xyz wrap" EXIT 2 ERR "-o FILE")
 scan_cli_test(OutputExists "touch out.stl; scanwrap $DATA/torus.xyz wrap -o out.stl" EXIT 2 ERR "exists already.*--overwrite"
@@ -49,10 +63,26 @@ scan_cli_test(OutputTwice "scanwrap $DATA/torus.xyz -o out.stl wrap -o out.stl" 
 scan_cli_test(UnknownExtension "scanwrap $DATA/torus.xyz wrap -o out.foo" EXIT 2 ERR "stl")
 scan_cli_test(MissingFolder "scanwrap $DATA/torus.xyz wrap -o nowhere/out.stl" EXIT 2 ERR "nowhere/out.stl.*folder")
 scan_cli_test(OutputIsFolder "mkdir d.stl; scanwrap $DATA/torus.xyz wrap -o d.stl" EXIT 2 ERR "is a directory")
+scan_cli_test(OptionTwice "scanwrap $DATA/torus.xyz --threads=1 wrap --threads=2 -o out.stl" EXIT 2 ERR "--threads: is given twice")
+scan_cli_test(VerbOptionTwice "scanwrap $DATA/torus.xyz wrap --fit=all --fit=robust -o out.stl" EXIT 2 ERR "--fit: is given twice")
+scan_cli_test(EmptyRecordName "scanwrap $DATA/torus.xyz --json= wrap -o out.stl" EXIT 2 ERR "--json=: expected")
+scan_cli_test(OutputTwiceByOtherNames "scanwrap $DATA/torus.xyz -o out.ply wrap -o ./out.ply" EXIT 2 ERR "./out.ply: is an output twice")
+scan_cli_test(OutputTwiceByLink "ln -s . d; scanwrap $DATA/torus.xyz -o out.ply wrap -o d/out.ply" EXIT 2 ERR "twice")
+scan_cli_test(RecordOverInput "cp $DATA/torus.xyz in.xyz; scanwrap in.xyz --overwrite wrap -o out.ply --json=./in.xyz" EXIT 2 ERR "in.xyz: is an input")
+scan_cli_test(OutputNameTooLong "scanwrap $DATA/torus.xyz wrap -o \"$(printf 'a%.0s' {1..252}).stl\"" EXIT 2 ERR "name too long.*choose another")
+scan_cli_test(OutputLinksInCircle "ln -s a.ply b.ply; ln -s b.ply a.ply; scanwrap $DATA/torus.xyz wrap -o a.ply" EXIT 2 ERR "symbolic links")
+scan_cli_test(NameWithLineFeed "scanwrap \"$(printf 'no\\nfile.xyz')\" wrap -o out.stl" EXIT 2 ERR "no.file.xyz")
 
 # Unreadable input
 scan_cli_test(MissingFile "scanwrap none.xyz wrap -o out.stl" EXIT 2 ERR "none.xyz.*No such file")
 scan_cli_test(Directory "mkdir d; scanwrap d wrap -o out.stl" EXIT 2 ERR "d: is a directory")
+scan_cli_test(NameTooLong "scanwrap \"$(printf 'a%.0s' {1..300}).ply\" wrap -o out.stl" EXIT 2 ERR "cannot be read: File name too long")
+scan_cli_test(LinksInCircle "ln -s a.ply b.ply; ln -s b.ply a.ply; scanwrap a.ply wrap -o out.stl" EXIT 2 ERR "a.ply: cannot be read: .*symbolic links")
+scan_cli_test(OffIsNoPoints "printf 'OFF\\n4 4 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 1 2\\n' > in.off; scanwrap in.off wrap -o out.stl" EXIT 2 ERR "in.off: .*no known format")
+scan_cli_test(OffNamedXyz "printf 'OFF\\n4 4 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 1 2\\n' > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: .*OFF mesh")
+scan_cli_test(PtxIsNoPts "printf '2\\n2\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n1 0 0 0\\n0 1 0 0\\n0 0 1 0\\n0 0 0 1\\n1 2 3 0.5\\n' > in.pts; scanwrap in.pts wrap -o out.stl" EXIT 2 ERR "in.pts: .*PTX")
+scan_cli_test(Utf16 "iconv -f ascii -t utf-16 $DATA/helix.xyz > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: .*UTF-16")
+scan_cli_test(ClosedStdin "scanwrap - wrap -o out.stl <&-" EXIT 2 ERR "standard input: cannot be read")
 scan_cli_test(EmptyFile "touch in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz.*empty")
 scan_cli_test(EmptyPipe "scanwrap - wrap -o out.stl < /dev/null" EXIT 2 ERR "standard input.*empty")
 scan_cli_test(NotAScan "head -c 999 /dev/zero > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz")
@@ -66,6 +96,7 @@ scan_cli_test(CountBeyondFile "printf 'ply\\nformat binary_little_endian 1.0\\ne
 
 # Points that have no surface
 scan_cli_test(OnePoint "echo 1 2 3 > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "wrap: ")
+scan_cli_test(VerbIsNamedOnce "echo 1 2 3 > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "^scanwrap: wrap: [^:]*\n$")
 scan_cli_test(EqualPoints "for i in 1 2 3 4 5 6; do echo 1 2 3; done > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "wrap: ")
 scan_cli_test(CollinearPoints "for i in 1 2 3 4 5 6; do echo $i $i $i; done > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 1 ERR "wrap: ")
 scan_cli_test(CoplanarPoints "for i in 1 2 3; do for j in 1 2 3; do echo $i $j 0; done; done > in.xyz; scanwrap in.xyz wrap -o out.stl"
@@ -73,10 +104,17 @@ scan_cli_test(CoplanarPoints "for i in 1 2 3; do for j in 1 2 3; do echo $i $j 0
 
 # The machine's limits
 scan_cli_test(FullDisk "scanwrap $DATA/torus.xyz wrap -o - > /dev/full" EXIT 1 ERR "standard output: disk full")
+scan_cli_test(ClosedStdout "scanwrap $DATA/torus.xyz wrap -o - >&-" EXIT 1 ERR "standard output: is closed")
+scan_cli_test(ReaderHasEnded "set -o pipefail; scanwrap $DATA/torus.xyz wrap -o - | true" EXIT 1 ERR "standard output: the program that reads it has ended")
 scan_cli_test(FileTooLarge "ulimit -f 100; scanwrap $DATA/torus.xyz wrap -o out.stl" EXIT 1 ERR "out.stl.*larger than the system allows")
 if(NOT SCAN_SANITIZE) # sanitizers reserve more than any limit
   scan_cli_test(OverMemory "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=40M in.xyz wrap -o out.stl" EXIT 5 ERR "out of memory")
   scan_cli_test(OverMemoryWhileReading "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=4M in.xyz wrap -o out.stl" EXIT 5 ERR "out of memory")
+  scan_cli_test(OverMemoryInPicture "scanwrap --max-memory=40M $DATA/torus.xyz -o out.png" EXIT 5 ERR "memory")
 endif()
 scan_cli_test(Interrupt "awk 'BEGIN { srand(1); for (i = 0; i < 300000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz wrap -o out.stl & sleep 1; kill -INT $!; wait $!"
+  EXIT 4 ERR "cancelled")
+scan_cli_test(InterruptLibrary "awk 'BEGIN { srand(1); for (i = 0; i < 600000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz --verbose -o out.png 2> err & sleep 1; kill -TERM $!; a=$(date +%s%3N); wait $!; s=$?; tail -1 err >&2; test $(($(date +%s%3N) - a)) -lt 900 && exit $s"
+  EXIT 4 ERR "cancelled")
+scan_cli_test(InterruptPipe "mkfifo f.ply; sleep 4 < f.ply > /dev/null 2>&1 & '${CMAKE_BINARY_DIR}/bin/scanwrap' $DATA/torus.xyz wrap -o f.ply & sleep 2; kill -INT $!; wait $!"
   EXIT 4 ERR "cancelled")
