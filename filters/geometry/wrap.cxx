@@ -5,6 +5,7 @@
 #include "filters/geometry/basins.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/cut_refinement.h"
+#include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
 #include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/wrap_complex.h"
@@ -83,8 +84,9 @@ WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
   WrapResult result;
   result.surface.triangles = collectFacets(complex, execution,
     [&](Facet facet) { return kept.keepsTet(facet / 4) && kept.keptSides(facet) == 1; });
-  const std::vector<Triangle> sheets = collectFacets(complex, execution,
+  std::vector<Triangle> sheets = collectFacets(complex, execution,
     [&](Facet facet) { return kept.isSheet(facet) && complex.canonical(facet) == facet; });
+  orientConsistently(sheets, complex.points.size());
   result.report.tetrahedraKept = kept.keptTetCount();
   result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
   result.report.sheetTriangles = static_cast<Index>(sheets.size());

@@ -45,7 +45,8 @@ struct WrapReport
 
 struct WrapResult
 {
-  TriMesh surface;                 ///< only used points; boundary triangles face outward
+  TriMesh surface;                 ///< only used points; boundary triangles face outward,
+                                   ///< sheets are oriented consistently where they can be
   std::vector<Index> scanPointIds; ///< per surface point: index of its scan point in the input
   std::vector<Segment> lines;      ///< kept edges without a kept triangle (classic mode)
   WrapReport report;

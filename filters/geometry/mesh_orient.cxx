@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/mesh_orient.h"
+
+#include "filters/geometry/incidence.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace scan
+{
+namespace
+{
+
+/// Side k of a triangle runs from its vertex k to the next; sides are numbered 3 * triangle + k.
+Segment side(const std::vector<Triangle>& triangles, std::size_t number)
+{
+  const Triangle& triangle = triangles[number / 3];
+  return { triangle[number % 3], triangle[(number + 1) % 3] };
+}
+
+/// Per side the other one at an edge of exactly two, else kNone.
+std::vector<Index> sideMates(const std::vector<Triangle>& triangles, std::size_t pointCount)
+{
+  const auto lowerEnd = [&](std::size_t number)
+  {
+    const Segment s = side(triangles, number);
+    return std::min(s[0], s[1]);
+  };
+  const auto upperEnd = [&](std::size_t number)
+  {
+    const Segment s = side(triangles, number);
+    return std::max(s[0], s[1]);
+  };
+  const Incidence sidesOf(pointCount, 3 * triangles.size(),
+    [&](std::size_t number, auto&& visit) { visit(lowerEnd(number)); });
+  std::vector<Index> mates(3 * triangles.size(), kNone);
+  for (Index point = 0; point < pointCount; ++point)
+  {
+    for (const Index number : sidesOf.of(point))
+    {
+      Index mate = kNone;
+      int others = 0;
+      for (const Index other : sidesOf.of(point))
+      {
+        if (other != number && upperEnd(other) == upperEnd(number))
+        {
+          mate = other;
+          ++others;
+        }
+      }
+      mates[number] = others == 1 ? mate : kNone;
+    }
+  }
+  return mates;
+}
+
+} // namespace
+
+void orientConsistently(std::vector<Triangle>& triangles, std::size_t pointCount)
+{
+  const std::vector<Index> mates = sideMates(triangles, pointCount);
+  std::vector<std::uint8_t> visited(triangles.size(), 0);
+  std::vector<std::uint8_t> turned(triangles.size(), 0);
+  std::vector<Index> front;
+  for (Index first = 0; first < triangles.size(); ++first)
+  {
+    if (visited[first])
+    {
+      continue;
+    }
+    visited[first] = 1;
+    front.assign(1, first);
+    while (!front.empty())
+    {
+      const Index triangle = front.back();
+      front.pop_back();
+      for (Index number = 3 * triangle; number < 3 * triangle + 3; ++number)
+      {
+        const Index mate = mates[number];
+        if (mate == kNone || visited[mate / 3])
+        {
+          continue;
+        }
+        // neighbours agree when they run along their edge in opposite directions
+        const bool alike = side(triangles, number)[0] == side(triangles, mate)[0];
+        visited[mate / 3] = 1;
+        turned[mate / 3] = static_cast<std::uint8_t>(turned[triangle] ^ (alike ? 1U : 0U));
+        front.push_back(mate / 3);
+      }
+    }
+  }
+  for (Index triangle = 0; triangle < triangles.size(); ++triangle)
+  {
+    if (turned[triangle])
+    {
+      std::swap(triangles[triangle][1], triangles[triangle][2]);
+    }
+  }
+}
+
+} // namespace scan
