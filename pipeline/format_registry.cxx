@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <type_traits>
 
 namespace scan
 {
@@ -39,10 +40,14 @@ vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path, ReadAs as)
 }
 
 template <class Writer>
-vtkSmartPointer<vtkAlgorithm> makeWriter(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> makeWriter(const std::string& path, Encoding encoding)
 {
   const auto writer = vtkSmartPointer<Writer>::New();
   writer->SetFileName(path.c_str());
+  if constexpr (std::is_base_of_v<vtkScanWriter, Writer>)
+  {
+    writer->SetEncoding(encoding);
+  }
   return writer;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "writers/encoding.h"
 
 #include <vtkSmartPointer.h>
 
@@ -36,8 +37,9 @@ struct Format
   /// A fresh reader; null where reading is not possible. The path "-" is standard input.
   vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& path, ReadAs as) = nullptr;
 
-  /// A fresh writer; null where writing is not possible. The path "-" is standard output.
-  vtkSmartPointer<vtkAlgorithm> (*makeWriter)(const std::string& path) = nullptr;
+  /// A fresh writer; null where writing is not possible. The path "-" is standard output. Formats
+  /// that have one encoding only ignore the wish.
+  vtkSmartPointer<vtkAlgorithm> (*makeWriter)(const std::string& path, Encoding encoding) = nullptr;
 };
 
 /// Every format, the ones with the surest content check first.

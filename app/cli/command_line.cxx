@@ -89,15 +89,12 @@ private:
 
   void word(const std::string& word)
   {
-    if (this->AreDashesNames && word.starts_with('-'))
-    {
-      this->input(word);
-    }
-    else if (word == "--")
+    const bool isName = this->AreDashesNames && word.starts_with('-');
+    if (!isName && word == "--")
     {
       this->AreDashesNames = true;
     }
-    else if (word == "-o")
+    else if (!isName && word == "-o")
     {
       if (this->Words.empty())
       {
@@ -105,15 +102,15 @@ private:
       }
       this->Line.steps.emplace_back(OutputWish{ this->next() });
     }
-    else if (word == "-h")
+    else if (!isName && word == "-h")
     {
       this->option("help");
     }
-    else if (word.starts_with("--"))
+    else if (!isName && word.starts_with("--"))
     {
       this->option(word.substr(2));
     }
-    else if (word.size() > 1 && word.front() == '-')
+    else if (!isName && word.size() > 1 && word.front() == '-')
     {
       refuse(word + ": there is no such option; see scanwrap --help");
     }
@@ -236,6 +233,8 @@ private:
       : progress == "none"             ? ProgressMode::none
                                        : ProgressMode::automatic;
     line.readAs = as == "points" ? ReadAs::points : as == "mesh" ? ReadAs::mesh : ReadAs::automatic;
+    line.encoding =
+      this->global<std::string>("encoding") == "ascii" ? Encoding::ascii : Encoding::binary;
     if (this->global<bool>("help"))
     {
       line.action = CommandLine::Action::help;
@@ -266,6 +265,10 @@ const std::vector<Parameter>& globalOptions()
       .defaultValue = "auto",
       .help = "what to take from the input files: what they hold, points only, or meshes only",
       .choices = { "auto", "points", "mesh" } },
+    { .name = "encoding",
+      .defaultValue = "binary",
+      .help = "of PLY and STL outputs",
+      .choices = { "binary", "ascii" } },
     { .name = "overwrite", .defaultValue = false, .help = "replace outputs that exist" },
     { .name = "json",
       .defaultValue = "",

@@ -60,6 +60,7 @@ struct CommandLine
   ProgressMode progress = ProgressMode::automatic;
   std::string json; ///< path of the record, "-" for standard output; empty: none
   ReadAs readAs = ReadAs::automatic;
+  Encoding encoding = Encoding::binary;
 };
 
 /// The options that are not a verb's, for the parser and the help.

@@ -261,7 +261,7 @@ private:
       }
       data = this->Picture;
     }
-    const auto writer = format.makeWriter(path);
+    const auto writer = format.makeWriter(path, this->Line.encoding);
     this->Progress.start("save");
     this->finish(
       "save", { { "file", path } }, runAlgorithm(*writer, data, this->Options), ExitStatus::failed);

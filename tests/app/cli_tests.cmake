@@ -15,6 +15,8 @@ scan_cli_test(Pipe "cat $DATA/torus.xyz | scanwrap - wrap -o - | scanwrap - info
 scan_cli_test(RedirectedInput "scanwrap - info < $DATA/torus.xyz" OUT "^points +5000\n")
 scan_cli_test(TableLeavesDataAlone "scanwrap $DATA/torus.xyz wrap info -o - 2> err > m.ply; head -c 4 m.ply; grep -q genus err"
   OUT "^ply\n")
+scan_cli_test(AsciiOutputs "scanwrap $DATA/torus.xyz --encoding=ascii wrap -o out.stl -o out.ply && scanwrap $DATA/torus.xyz wrap -o b.ply && head -c 6 out.stl && grep -a -c 'format ascii' out.ply && scanwrap out.stl info && scanwrap out.ply -o c.ply && cmp b.ply c.ply"
+  FILES out.ply out.stl OUT "^solid 1\n.*triangles +10000\n")
 scan_cli_test(Picture "scanwrap $DATA/torus.xyz render --width=64 --height=48 -o out.png && file -b out.png || od -An -c -N4 out.png"
   FILES out.png OUT "PNG|P +N +G")
 scan_cli_test(PictureByDefault "scanwrap $DATA/torus.xyz -o out.png" FILES out.png)
@@ -110,6 +112,7 @@ scan_cli_test(FileTooLarge "ulimit -f 100; scanwrap $DATA/torus.xyz wrap -o out.
 if(NOT SCAN_SANITIZE) # sanitizers reserve more than any limit
   scan_cli_test(OverMemory "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=40M in.xyz wrap -o out.stl" EXIT 5 ERR "out of memory")
   scan_cli_test(OverMemoryWhileReading "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=4M in.xyz wrap -o out.stl" EXIT 5 ERR "out of memory")
+  scan_cli_test(OverMemoryOfThreads "awk 'BEGIN { srand(1); for (i = 0; i < 100000; ++i) print rand(), rand(), rand() }' > in.xyz; scanwrap --max-memory=22M --threads=2 in.xyz info" EXIT 5 ERR "memory")
   scan_cli_test(OverMemoryInPicture "scanwrap --max-memory=40M $DATA/torus.xyz -o out.png" EXIT 5 ERR "memory")
 endif()
 scan_cli_test(Interrupt "awk 'BEGIN { srand(1); for (i = 0; i < 300000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz wrap -o out.stl & sleep 1; kill -INT $!; wait $!"

@@ -54,6 +54,11 @@ struct Expected
   long genus;
 };
 
+void PrintTo(const Expected& expected, std::ostream* out)
+{
+  *out << expected.file;
+}
+
 class ClosedSurfaces : public testing::TestWithParam<Expected>
 {
 };
@@ -92,6 +97,11 @@ struct Counts
   Index sheetTriangles;
   Index pointsOnSurface; ///< 0: not stated
 };
+
+void PrintTo(const Counts& expected, std::ostream* out)
+{
+  *out << expected.file;
+}
 
 class ClassicCounts : public testing::TestWithParam<Counts>
 {
