@@ -4,14 +4,22 @@
 
 #include "filters/base/error.h"
 
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 
 namespace scan
 {
 namespace
 {
+
+using Bits = std::array<std::uint64_t, 3>;
+
+/// Not a number equals itself bit by bit only.
+Bits bitsOf(const Vec3& point)
+{
+  return std::bit_cast<Bits>(point);
+}
 
 std::uint64_t hash(const Vec3& point)
 {
@@ -59,8 +67,7 @@ std::size_t VertexWelder::slotOf(const Vec3& point) const
 {
   const std::size_t mask = this->Slots.size() - 1;
   std::size_t slot = static_cast<std::size_t>(hash(point)) & mask;
-  while (this->Slots[slot] != kNone &&
-    std::memcmp(&this->Points[this->Slots[slot]], &point, sizeof(Vec3)) != 0)
+  while (this->Slots[slot] != kNone && bitsOf(this->Points[this->Slots[slot]]) != bitsOf(point))
   {
     slot = (slot + 1) & mask;
   }

@@ -65,18 +65,18 @@ EglContext::EglContext()
   {
     refuse("EGL cannot draw without a display here");
   }
-  constexpr EGLint wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+  constexpr EGLint kWanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
     EGL_OPENGL_BIT, EGL_NONE };
-  constexpr EGLint version[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+  constexpr EGLint kVersion[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
   EGLConfig config = nullptr;
   EGLint found = 0;
   if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE ||
-    eglChooseConfig(this->Display, wanted, &config, 1, &found) == EGL_FALSE || found == 0)
+    eglChooseConfig(this->Display, kWanted, &config, 1, &found) == EGL_FALSE || found == 0)
   {
     refuse("EGL offers no OpenGL");
   }
-  this->Context = eglCreateContext(this->Display, config, EGL_NO_CONTEXT, version);
+  this->Context = eglCreateContext(this->Display, config, EGL_NO_CONTEXT, kVersion);
   if (this->Context == EGL_NO_CONTEXT)
   {
     refuse("EGL offers no OpenGL 3.2");

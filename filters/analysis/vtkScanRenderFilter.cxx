@@ -134,18 +134,19 @@ void readPixels(vtkRenderWindow& window, vtkImageData& image, int width, int hei
   image.SetDimensions(width, height, 1);
   image.AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* pixel = static_cast<unsigned char*>(image.GetScalarPointer());
-  const std::size_t fineRow = std::size_t{ 3 } * kOversampling * width;
+  const std::ptrdiff_t fineRow = std::ptrdiff_t{ 3 } * kOversampling * width;
   for (int y = 0; y < height; ++y)
   {
-    const unsigned char* square = fine->GetPointer(0) + y * kOversampling * fineRow;
-    for (int x = 0; x < width; ++x, square += 3 * kOversampling)
+    const unsigned char* square = fine->GetPointer(0) + fineRow * kOversampling * y;
+    for (int x = 0; x < width; ++x, square += std::ptrdiff_t{ 3 } * kOversampling)
     {
       for (int channel = 0; channel < 3; ++channel)
       {
         int sum = kOversampling * kOversampling / 2;
         for (int i = 0; i < kOversampling * kOversampling; ++i)
         {
-          sum += square[i / kOversampling * fineRow + 3 * (i % kOversampling) + channel];
+          sum += square[fineRow * (i / kOversampling) + std::ptrdiff_t{ 3 } * (i % kOversampling) +
+            channel];
         }
         *pixel++ = static_cast<unsigned char>(sum / (kOversampling * kOversampling));
       }
@@ -158,10 +159,10 @@ void readPixels(vtkRenderWindow& window, vtkImageData& image, int width, int hei
 void vtkScanRenderFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  constexpr const char* views[] = { "iso", "front", "back", "left", "right", "top", "bottom" };
+  constexpr const char* kViews[] = { "iso", "front", "back", "left", "right", "top", "bottom" };
   os << indent << "Width: " << this->Width << "\n";
   os << indent << "Height: " << this->Height << "\n";
-  os << indent << "View: " << views[this->View] << "\n";
+  os << indent << "View: " << kViews[this->View] << "\n";
   os << indent << "Up: " << (this->Up == Y_UP ? "y" : "z") << "\n";
   os << indent << "Perspective: " << (this->Perspective ? "true" : "false") << "\n";
   os << indent << "Edges: " << (this->Edges ? "true" : "false") << "\n";

@@ -12,6 +12,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 
 namespace scan
@@ -61,6 +62,40 @@ void Execution::step(std::string_view phase, std::size_t done, std::size_t total
   this->Notify(phase, this->Fraction);
 }
 
+void Execution::runOnThreads(std::size_t n, std::size_t grain,
+  const std::function<void(std::size_t begin, std::size_t end)>& body)
+{
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::task_group_context context;
+  const auto guarded = [&](const Range& range)
+  {
+    if (this->cancelled())
+    {
+      context.cancel_group_execution();
+      return;
+    }
+    body(range.begin(), range.end());
+  };
+  // more than the machine's would only make TBB complain on stderr
+  const int threads = std::min(static_cast<int>(this->Threads), tbb::info::default_concurrency());
+  try
+  {
+    tbb::task_arena arena(threads);
+    arena.execute(
+      [&] { tbb::parallel_for(Range(0, n, grain), guarded, tbb::simple_partitioner(), context); });
+  }
+  catch (const Error&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error& error) // of TBB, as bodies do not throw: no stack for a thread
+  {
+    throw Error(ErrorCode::memory,
+      std::string("no memory for another thread (") + error.what() +
+        "); allow more memory or use --threads=1");
+  }
+}
+
 void Execution::parallelFor(std::size_t n, std::size_t grain,
   const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
@@ -74,22 +109,7 @@ void Execution::parallelFor(std::size_t n, std::size_t grain,
   }
   else
   {
-    using Range = tbb::blocked_range<std::size_t>;
-    tbb::task_group_context context;
-    const auto guarded = [&](const Range& range)
-    {
-      if (this->cancelled())
-      {
-        context.cancel_group_execution();
-        return;
-      }
-      body(range.begin(), range.end());
-    };
-    // more than the machine's would only make TBB complain on stderr
-    const int threads = std::min(static_cast<int>(this->Threads), tbb::info::default_concurrency());
-    tbb::task_arena arena(threads);
-    arena.execute(
-      [&] { tbb::parallel_for(Range(0, n, grain), guarded, tbb::simple_partitioner(), context); });
+    this->runOnThreads(n, grain, body);
   }
   if (this->cancelled())
   {

@@ -62,6 +62,9 @@ public:
     const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 private:
+  void runOnThreads(std::size_t n, std::size_t grain,
+    const std::function<void(std::size_t begin, std::size_t end)>& body);
+
   unsigned Threads;
   CancelToken Token;
   Listener Notify;

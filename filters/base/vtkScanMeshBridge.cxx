@@ -59,9 +59,9 @@ Triangle triangleOf(vtkIdType a, vtkIdType b, vtkIdType c)
 template <std::size_t N>
 vtkSmartPointer<vtkCellArray> cellsOf(std::span<const std::array<Index, N>> cells)
 {
-  const auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->AllocateExact(
-    static_cast<vtkIdType>(cells.size()), static_cast<vtkIdType>(cells.size() * N));
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  const auto count = static_cast<vtkIdType>(cells.size());
+  result->AllocateExact(count, count * static_cast<vtkIdType>(N));
   for (const std::array<Index, N>& cell : cells)
   {
     std::array<vtkIdType, N> ids{};

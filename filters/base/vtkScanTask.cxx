@@ -6,7 +6,6 @@
 #include <vtkDataObject.h>
 
 #include <new>
-#include <system_error>
 
 namespace
 {
@@ -32,13 +31,6 @@ vtkScanOutcome outcomeOf(const std::function<void()>& run)
   {
     return { State::failed, scan::ErrorCode::memory,
       "out of memory; allow more memory or use fewer points" };
-  }
-  catch (const std::system_error& error)
-  {
-    const bool isThread = error.code() == std::errc::resource_unavailable_try_again;
-    return isThread ? vtkScanOutcome{ State::failed, scan::ErrorCode::memory,
-      "no memory for another thread; allow more memory or fewer threads" }
-                    : vtkScanOutcome{ State::failed, scan::ErrorCode::internal, error.what() };
   }
   catch (const std::exception& error)
   {
