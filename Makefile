@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Scanwrap authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-.PHONY: build demo test dependencies
+.PHONY: build demo test lint dependencies
 
 demo: build
 	@.ci/demo
@@ -8,6 +8,10 @@ demo: build
 test: build
 	cmake --build build
 	ctest --test-dir build --output-on-failure -j2
+
+lint: dependencies
+	cmake --preset release
+	@.ci/lint
 
 build: dependencies
 	cmake --preset release
