@@ -87,8 +87,8 @@ int main(int argc, char** argv)
   const scan::CancelToken token;
   scan::reserveStandardDescriptors();
   scan::cancelOnSignals(token);
-  ::setenv("EGL_LOG_LEVEL", "fatal", 0);                   // errors are reported once,
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // by us
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);                   // NOLINT(concurrency-mt-unsafe): alone
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // errors are reported once, by us
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   return statusOf({ argv + 1, argv + argc }, token);
 }

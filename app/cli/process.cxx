@@ -18,7 +18,7 @@ namespace scan
 namespace
 {
 
-constexpr suseconds_t kPatience = 400000; // microseconds
+constexpr suseconds_t kPatience = 250000; // microseconds; the end itself takes time, too
 
 /// Raised by the signal handler, hence global.
 std::optional<CancelToken> cancelToken;

@@ -15,7 +15,7 @@ namespace scan
 /// their numbers; using one remains an error. Before any file is opened.
 void reserveStandardDescriptors();
 
-/// SIGINT, SIGTERM and SIGHUP raise the token. Work that does not answer within 0.4 s, inside a
+/// SIGINT, SIGTERM and SIGHUP raise the token. Work that does not answer within 0.25 s, inside a
 /// library or on a pipe that nobody reads, is then ended with the status of a cancel; outputs have
 /// their names only when complete. A second signal ends the program at once.
 void cancelOnSignals(const CancelToken& token);

@@ -117,7 +117,7 @@ if(NOT SCAN_SANITIZE) # sanitizers reserve more than any limit
 endif()
 scan_cli_test(Interrupt "awk 'BEGIN { srand(1); for (i = 0; i < 300000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz wrap -o out.stl & sleep 1; kill -INT $!; wait $!"
   EXIT 4 ERR "cancelled")
-scan_cli_test(InterruptLibrary "awk 'BEGIN { srand(1); for (i = 0; i < 600000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz --verbose -o out.png 2> err & sleep 1; kill -TERM $!; a=$(date +%s%3N); wait $!; s=$?; tail -1 err >&2; test $(($(date +%s%3N) - a)) -lt 900 && exit $s"
+scan_cli_test(InterruptPicture "awk 'BEGIN { srand(1); for (i = 0; i < 1000000; ++i) print rand(), rand(), rand() }' > in.xyz; '${CMAKE_BINARY_DIR}/bin/scanwrap' in.xyz --verbose -o out.png 2> err & sleep 1; kill -TERM $!; a=$(date +%s%3N); wait $!; s=$?; tail -1 err >&2; test $(($(date +%s%3N) - a)) -lt 900 && exit $s"
   EXIT 4 ERR "cancelled")
 scan_cli_test(InterruptPipe "mkfifo f.ply; sleep 4 < f.ply > /dev/null 2>&1 & '${CMAKE_BINARY_DIR}/bin/scanwrap' $DATA/torus.xyz wrap -o f.ply & sleep 2; kill -INT $!; wait $!"
   EXIT 4 ERR "cancelled")
