@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/geometry/cut_refinement.h"
+#include "filters/geometry/basin_refinement.h"
 
+#include "filters/geometry/cut_cover.h"
 #include "filters/geometry/incidence.h"
 #include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/union_find.h"
@@ -108,7 +109,7 @@ public:
         [&](std::size_t w, auto&& visit)
         { std::for_each(this->Walls[w].vertices.begin(), this->Walls[w].vertices.end(), visit); })
     , Inside(std::move(inside))
-    , CutTriangles(pointCount, 0)
+    , Cover(pointCount)
     , Touched(Outside + 1, 0)
     , Trials(Outside)
     , Group(Outside + 1)
@@ -118,7 +119,7 @@ public:
     {
       if (this->isCut(wall))
       {
-        this->count(wall, +1);
+        this->Cover.count(wall.vertices, +1);
       }
     }
     this->takeCensus();
@@ -161,19 +162,6 @@ private:
     return this->Inside[wall.a] != this->Inside[wall.b];
   }
 
-  /// Counts the wall in or out of the cut at its vertices; returns the change in covered points.
-  int count(const MeasuredWall& wall, int sign)
-  {
-    int change = 0;
-    for (const Index v : wall.vertices)
-    {
-      const int before = this->CutTriangles[v];
-      this->CutTriangles[v] = before + sign;
-      change += (before + sign > 0) - (before > 0);
-    }
-    return change;
-  }
-
   /// Per basin: its share of the cut and the points it owns.
   void takeCensus()
   {
@@ -181,8 +169,8 @@ private:
     this->CensusOfBasin.assign(this->Outside + 1, {});
     this->UncutWalls.clear();
     // of all basins at a point's cut triangles, the at most two that are at every one of them
-    std::vector<std::array<Index, 2>> owners(this->CutTriangles.size(), { kNone, kNone });
-    std::vector<std::uint8_t> seen(this->CutTriangles.size(), 0);
+    std::vector<std::array<Index, 2>> owners(this->Cover.pointCount(), { kNone, kNone });
+    std::vector<std::uint8_t> seen(this->Cover.pointCount(), 0);
     for (Index w = 0; w < this->Walls.size(); ++w)
     {
       const MeasuredWall& wall = this->Walls[w];
@@ -327,7 +315,7 @@ private:
       [&](const MeasuredWall& wall)
       {
         const int sign = this->isCut(wall) ? +1 : -1;
-        change.points += this->count(wall, sign);
+        change.points += this->Cover.count(wall.vertices, sign);
         change.triangles += sign;
         change.excess += sign * static_cast<double>(wall.excess);
       });
@@ -357,7 +345,7 @@ private:
   Incidence WallsOfBasin;
   Incidence WallsOfPoint;
   std::vector<std::uint8_t> Inside;
-  std::vector<int> CutTriangles; ///< per point
+  CutCover Cover;
 
   std::uint32_t Clock = 0;
   std::uint32_t LastFlip = 0;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/geometry/cut_refinement.h"
+#include "filters/geometry/fine_tune.h"
 
 #include "filters/geometry/collect.h"
+#include "filters/geometry/cut_cover.h"
 #include "filters/geometry/scan_spacing.h"
 
 #include <algorithm>
@@ -26,17 +27,14 @@ public:
     : Complex(complex)
     , Spacing(spacing)
     , Inside(std::move(inside))
-    , CutTriangles(complex.points.size(), 0)
+    , Cover(complex.points.size())
     , Queued(complex.tetCount(), 0)
   {
     for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
     {
       if (this->Inside[facet / 4] && this->isCut(facet)) // each cut triangle once
       {
-        for (const Index v : complex.facetVertices(facet))
-        {
-          ++this->CutTriangles[v];
-        }
+        this->Cover.count(complex.facetVertices(facet), +1);
       }
     }
   }
@@ -106,7 +104,7 @@ private:
     {
       // of the three facets at vertex k those that are cut leave the cut, the others enter
       const int leave = std::popcount(cut & ~(1U << k));
-      const int before = this->CutTriangles[this->Complex.tetrahedra[tet][k]];
+      const int before = this->Cover.cutTriangles(this->Complex.tetrahedra[tet][k]);
       points += (before + 3 - 2 * leave > 0) - (before > 0);
     }
     double gain = 2.0 * points - 0.5 * (4 - 2 * count);
@@ -191,7 +189,7 @@ private:
     for (unsigned k = 0; k < 4; ++k)
     {
       const int leave = std::popcount(cut & ~(1U << k));
-      this->CutTriangles[this->Complex.tetrahedra[tet][k]] += 3 - 2 * leave;
+      this->Cover.count(this->Complex.tetrahedra[tet][k], 3 - 2 * leave);
     }
     this->Inside[tet] ^= 1U;
   }
@@ -232,7 +230,7 @@ private:
   const DelaunayComplex& Complex;
   const std::vector<float>& Spacing;
   std::vector<std::uint8_t> Inside;
-  std::vector<int> CutTriangles; ///< per vertex
+  CutCover Cover;
   std::vector<std::uint8_t> Queued;
   std::vector<Index> Star;
 };

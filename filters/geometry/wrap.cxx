@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap.h"
 
-#include "filters/geometry/basins.h"
+#include "filters/geometry/basin_refinement.h"
 #include "filters/geometry/collect.h"
-#include "filters/geometry/cut_refinement.h"
+#include "filters/geometry/fine_tune.h"
 #include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
+#include "filters/geometry/rooms.h"
 #include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/wrap_complex.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The exact answers of an independent brute-force program in rational arithmetic, as sets.
-#include "filters/geometry/basins.h"
+#include "filters/geometry/rooms.h"
 #include "tests/geometry/complex_corpus.h"
 
 #include <gtest/gtest.h>

@@ -30,9 +30,4 @@ std::vector<std::uint8_t> refineBasins(const FlowComplex& flow, const Basins& ba
   const std::vector<Wall>& walls, const std::vector<float>& spacing,
   std::vector<std::uint8_t> inside, Execution& execution);
 
-/// Flips single tetrahedra at the cut while F, less half a point for every non-manifold edge,
-/// grows. @param inside per tetrahedron, 0 or 1. Reports phase "fine-tune".
-std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<float>& spacing,
-  std::vector<std::uint8_t> inside, Execution& execution);
-
 } // namespace scan
