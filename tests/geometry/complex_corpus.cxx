@@ -112,6 +112,29 @@ std::vector<Simplex> facesOf(const Simplex& simplex)
   return faces;
 }
 
+std::vector<Simplex> simplicesOf(const Simplex& lower, const Simplex& upper)
+{
+  std::vector<Simplex> between = facesOf(upper);
+  std::erase_if(between,
+    [&](const Simplex& face)
+    { return !std::includes(face.begin(), face.end(), lower.begin(), lower.end()); });
+  between.push_back(upper);
+  return between;
+}
+
+std::map<Simplex, Simplex> lowerFaces(const Intervals& intervals)
+{
+  std::map<Simplex, Simplex> lowerOf;
+  for (const auto& [lower, upper] : intervals)
+  {
+    for (const Simplex& simplex : simplicesOf(lower, upper))
+    {
+      lowerOf[simplex] = lower;
+    }
+  }
+  return lowerOf;
+}
+
 namespace
 {
 
@@ -156,18 +179,12 @@ Intervals intervalsOf(const FlowComplex& flow, std::vector<Simplex>* conflicts)
   const auto add = [&](const Simplex& lower, const Simplex& upper)
   {
     intervals[lower] = upper;
-    // every simplex between lower and upper
-    for (Simplex between : facesOf(upper))
+    for (const Simplex& simplex : simplicesOf(lower, upper))
     {
-      if (std::includes(between.begin(), between.end(), lower.begin(), lower.end()) &&
-        !taken.insert(between).second && conflicts != nullptr)
+      if (!taken.insert(simplex).second && conflicts != nullptr)
       {
-        conflicts->push_back(between);
+        conflicts->push_back(simplex);
       }
-    }
-    if (!taken.insert(upper).second && conflicts != nullptr)
-    {
-      conflicts->push_back(upper);
     }
   };
   for (Index tet = 0; tet < complex.tetCount(); ++tet)

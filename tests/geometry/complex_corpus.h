@@ -36,6 +36,7 @@ std::uint64_t testSeed();
 
 Simplex sorted(Simplex simplex);
 std::vector<Simplex> facesOf(const Simplex& simplex); ///< all proper faces, vertices upwards
+std::vector<Simplex> simplicesOf(const Simplex& lower, const Simplex& upper); ///< of an interval
 
 /// All simplices of the complex, by brute force.
 std::set<Simplex> allSimplices(const DelaunayComplex& complex);
@@ -43,6 +44,9 @@ std::set<Simplex> allSimplices(const DelaunayComplex& complex);
 /// All intervals, put together from what the flow complex answers.
 /// Simplices that two intervals claim are appended to `conflicts`.
 Intervals intervalsOf(const FlowComplex& flow, std::vector<Simplex>* conflicts = nullptr);
+
+/// Per simplex the lower face of its interval.
+std::map<Simplex, Simplex> lowerFaces(const Intervals& intervals);
 
 /// The simplices of a kept subcomplex: kept tetrahedra, triangles and their faces, and lines.
 std::set<Simplex> simplicesOf(const WrapComplex& wrap);

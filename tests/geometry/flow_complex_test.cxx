@@ -96,16 +96,9 @@ TEST(FlowComplex, IntervalsPartitionTheComplex)
       const FlowComplex flow(complex, execution);
       std::vector<Simplex> conflicts;
       std::set<Simplex> covered;
-      for (const auto& [lower, upper] : intervalsOf(flow, &conflicts))
+      for (const auto& [simplex, lower] : lowerFaces(intervalsOf(flow, &conflicts)))
       {
-        covered.insert(upper);
-        for (const Simplex& face : facesOf(upper))
-        {
-          if (std::includes(face.begin(), face.end(), lower.begin(), lower.end()))
-          {
-            covered.insert(face);
-          }
-        }
+        covered.insert(simplex);
       }
       EXPECT_TRUE(conflicts.empty()) << conflicts.size() << " simplices in two intervals";
       EXPECT_EQ(covered, allSimplices(complex));
@@ -139,19 +132,8 @@ TEST(FlowComplex, RelationIsAcyclic)
       const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
       const FlowComplex flow(complex, execution);
       const Intervals intervals = intervalsOf(flow);
-      // lower set of each simplex's interval: an interval points at those that its faces are in
-      std::map<Simplex, Simplex> lowerOf;
-      for (const auto& [lower, upper] : intervals)
-      {
-        lowerOf[upper] = lower;
-        for (const Simplex& face : facesOf(upper))
-        {
-          if (std::includes(face.begin(), face.end(), lower.begin(), lower.end()))
-          {
-            lowerOf[face] = lower;
-          }
-        }
-      }
+      // an interval points at the intervals of its upper simplex's faces
+      const std::map<Simplex, Simplex> lowerOf = lowerFaces(intervals);
       std::map<Simplex, int> colour; // 1 on the path, 2 done
       const auto visit = [&](const auto& self, const Simplex& lower) -> bool
       {
@@ -186,46 +168,32 @@ TEST(ClassicWrap, IsTheUnionOfTheLowerSetsOfTheCriticalSimplices)
       const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
       const FlowComplex flow(complex, execution);
       const Intervals intervals = intervalsOf(flow);
-      std::map<Simplex, Simplex> upperOf;
-      for (const auto& [lower, upper] : intervals)
-      {
-        upperOf[upper] = upper;
-        for (const Simplex& face : facesOf(upper))
-        {
-          if (std::includes(face.begin(), face.end(), lower.begin(), lower.end()))
-          {
-            upperOf[face] = upper;
-          }
-        }
-      }
-      std::set<Simplex> expected;
+      const std::map<Simplex, Simplex> lowerOf = lowerFaces(intervals);
       std::vector<Simplex> stack;
       for (const auto& [lower, upper] : intervals)
       {
         if (lower == upper)
         {
-          stack.push_back(upper);
+          stack.push_back(lower);
         }
       }
+      // whole intervals, from the critical ones down to their faces
+      std::set<Simplex> expected;
       while (!stack.empty())
       {
-        const Simplex top = upperOf.at(stack.back());
+        const Simplex lower = lowerOf.at(stack.back());
+        const Simplex& upper = intervals.at(lower);
         stack.pop_back();
-        if (expected.insert(top).second)
+        if (expected.insert(upper).second)
         {
-          for (const Simplex& face : facesOf(top))
+          for (const Simplex& simplex : simplicesOf(lower, upper))
+          {
+            expected.insert(simplex);
+          }
+          for (const Simplex& face : facesOf(upper))
           {
             stack.push_back(face);
-            expected.insert(upperOf.at(face) == top ? face : top);
           }
-        }
-      }
-      // a lower set holds whole intervals: add what lies between
-      for (const auto& [simplex, upper] : upperOf)
-      {
-        if (expected.contains(upper))
-        {
-          expected.insert(simplex);
         }
       }
       EXPECT_EQ(simplicesOf(collapseFromOutside(flow, execution)), expected);
