@@ -38,7 +38,8 @@ void checkFloatRange(const TriMesh& mesh, const OutputFile& file)
       std::abs(point.z) > kLargest)
     {
       throw Error(ErrorCode::limit,
-        file.name() + ": a coordinate exceeds 3.4e38, the limit of binary STL; write PLY or OBJ");
+        file.name() +
+          ": a coordinate exceeds 3.4e38, the limit of binary STL; write ascii STL, PLY or OBJ");
     }
   }
 }
