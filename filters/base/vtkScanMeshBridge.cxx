@@ -7,17 +7,23 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <string>
+#include <type_traits>
 
 namespace scan::bridge
 {
@@ -26,6 +32,8 @@ namespace
 {
 
 using Cell = std::span<const vtkIdType>;
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double)); // tuples of VTK are copied whole
 
 /// Calls visit(corners) for every cell; corners are indices of existing points.
 void forEachCell(
@@ -56,19 +64,72 @@ Triangle triangleOf(vtkIdType a, vtkIdType b, vtkIdType c)
   return { static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c) };
 }
 
-template <std::size_t N>
-vtkSmartPointer<vtkCellArray> cellsOf(std::span<const std::array<Index, N>> cells)
+template <class IdArray, std::size_t N>
+vtkSmartPointer<vtkCellArray> cellsWith(std::span<const std::array<Index, N>> cells)
 {
-  auto result = vtkSmartPointer<vtkCellArray>::New();
-  const auto count = static_cast<vtkIdType>(cells.size());
-  result->AllocateExact(count, count * static_cast<vtkIdType>(N));
+  using Id = typename IdArray::ValueType;
+  vtkNew<IdArray> offsets;
+  vtkNew<IdArray> connectivity;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(cells.size() + 1));
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(N * cells.size()));
+  Id* offset = offsets->GetPointer(0);
+  Id* id = connectivity->GetPointer(0);
+  for (std::size_t i = 0; i <= cells.size(); ++i)
+  {
+    offset[i] = static_cast<Id>(N * i);
+  }
   for (const std::array<Index, N>& cell : cells)
   {
-    std::array<vtkIdType, N> ids{};
-    std::copy(cell.begin(), cell.end(), ids.begin());
-    result->InsertNextCell(static_cast<vtkIdType>(N), ids.data());
+    id = std::transform(cell.begin(), cell.end(), id, [](Index i) { return static_cast<Id>(i); });
   }
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->SetData(offsets, connectivity);
   return result;
+}
+
+/// Cells of N corners each, with ids of 32 bits where they fit: half the memory.
+template <std::size_t N>
+vtkSmartPointer<vtkCellArray> cellsOf(
+  std::span<const std::array<Index, N>> cells, std::size_t pointCount)
+{
+  constexpr std::size_t kMost = std::numeric_limits<vtkTypeInt32>::max();
+  return pointCount <= kMost && N * cells.size() <= kMost ? cellsWith<vtkTypeInt32Array, N>(cells)
+                                                          : cellsWith<vtkTypeInt64Array, N>(cells);
+}
+
+/// Appends cells that are all triangles; false, and nothing appended, when an id is out of range.
+template <class Id>
+bool appendTriangles(
+  std::span<const Id> ids, vtkIdType pointCount, std::vector<Triangle>& triangles)
+{
+  if (std::ranges::any_of(
+        ids, [&](Id id) { return id < 0 || static_cast<vtkIdType>(id) >= pointCount; }))
+  {
+    return false;
+  }
+  triangles.reserve(triangles.size() + ids.size() / 3);
+  for (std::size_t i = 0; i + 3 <= ids.size(); i += 3)
+  {
+    triangles.push_back(triangleOf(ids[i], ids[i + 1], ids[i + 2]));
+  }
+  return true;
+}
+
+bool appendTriangles(vtkCellArray& cells, vtkIdType pointCount, std::vector<Triangle>& triangles)
+{
+  if (cells.IsHomogeneous() != 3)
+  {
+    return false;
+  }
+  const auto append = [&](auto* connectivity)
+  {
+    using Id = typename std::remove_pointer_t<decltype(connectivity)>::ValueType;
+    const auto size = static_cast<std::size_t>(connectivity->GetNumberOfValues());
+    return appendTriangles(
+      std::span<const Id>(connectivity->GetPointer(0), size), pointCount, triangles);
+  };
+  return cells.IsStorage64Bit() ? append(cells.GetConnectivityArray64())
+                                : append(cells.GetConnectivityArray32());
 }
 
 vtkSmartPointer<vtkCellArray> vertexPerPoint(std::size_t count)
@@ -78,7 +139,7 @@ vtkSmartPointer<vtkCellArray> vertexPerPoint(std::size_t count)
   {
     vertices[i] = { static_cast<Index>(i) };
   }
-  return cellsOf<1>(vertices);
+  return cellsOf<1>(vertices, count);
 }
 
 } // namespace
@@ -92,6 +153,14 @@ std::vector<Vec3> pointsOf(vtkPolyData& data)
       std::to_string(count) + " points are more than the 4294967294 supported; thin them first");
   }
   std::vector<Vec3> points(static_cast<std::size_t>(count));
+  auto* doubles =
+    count > 0 ? vtkArrayDownCast<vtkDoubleArray>(data.GetPoints()->GetData()) : nullptr;
+  if (doubles != nullptr)
+  {
+    std::memcpy(
+      static_cast<void*>(points.data()), doubles->GetPointer(0), sizeof(Vec3) * points.size());
+    return points;
+  }
   for (vtkIdType i = 0; i < count; ++i)
   {
     std::array<double, 3> p{};
@@ -106,14 +175,17 @@ TriMesh meshOf(vtkPolyData& data)
   TriMesh mesh;
   mesh.points = pointsOf(data);
   const vtkIdType pointCount = data.GetNumberOfPoints();
-  forEachCell(*data.GetPolys(), pointCount,
-    [&](Cell corners)
-    {
-      for (std::size_t i = 2; i < corners.size(); ++i)
+  if (!appendTriangles(*data.GetPolys(), pointCount, mesh.triangles))
+  {
+    forEachCell(*data.GetPolys(), pointCount,
+      [&](Cell corners)
       {
-        mesh.triangles.push_back(triangleOf(corners[0], corners[i - 1], corners[i]));
-      }
-    });
+        for (std::size_t i = 2; i < corners.size(); ++i)
+        {
+          mesh.triangles.push_back(triangleOf(corners[0], corners[i - 1], corners[i]));
+        }
+      });
+  }
   forEachCell(*data.GetStrips(), pointCount,
     [&](Cell corners)
     {
@@ -144,18 +216,19 @@ std::vector<Segment> segmentsOf(vtkPolyData& data)
 
 void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> lines)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
-  vtkIdType id = 0;
-  for (const Vec3& p : mesh.points)
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(mesh.points.size()));
+  if (!mesh.points.empty())
   {
-    points->SetPoint(id++, p.x, p.y, p.z);
+    std::memcpy(coordinates->GetPointer(0), mesh.points.data(), sizeof(Vec3) * mesh.points.size());
   }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
   output.Initialize();
   output.SetPoints(points);
-  output.SetPolys(cellsOf<3>(mesh.triangles));
-  output.SetLines(cellsOf<2>(lines));
+  output.SetPolys(cellsOf<3>(mesh.triangles, mesh.points.size()));
+  output.SetLines(cellsOf<2>(lines, mesh.points.size()));
   if (mesh.triangles.empty() && lines.empty())
   {
     output.SetVerts(vertexPerPoint(mesh.points.size()));

@@ -60,7 +60,7 @@ void checkCoordinates(std::span<const Vec3> points)
 using IndexedPoint = std::pair<Point, Index>;
 
 /// The points along a Hilbert curve.
-std::vector<IndexedPoint> sortAlongHilbertCurve(std::span<const Vec3> input)
+std::vector<IndexedPoint> sortAlongHilbertCurve(std::span<const Vec3> input, unsigned threads)
 {
   std::vector<IndexedPoint> points;
   points.reserve(input.size());
@@ -69,8 +69,15 @@ std::vector<IndexedPoint> sortAlongHilbertCurve(std::span<const Vec3> input)
     points.emplace_back(Point(p.x, p.y, p.z), static_cast<Index>(points.size()));
   }
   using PointOf = CGAL::First_of_pair_property_map<IndexedPoint>;
-  CGAL::hilbert_sort(
-    points.begin(), points.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, PointOf>());
+  const CGAL::Spatial_sort_traits_adapter_3<Kernel, PointOf> traits;
+  if (threads > 1) // the same order, sooner
+  {
+    CGAL::hilbert_sort<CGAL::Parallel_tag>(points.begin(), points.end(), traits);
+  }
+  else
+  {
+    CGAL::hilbert_sort<CGAL::Sequential_tag>(points.begin(), points.end(), traits);
+  }
   return points;
 }
 
@@ -244,7 +251,7 @@ DelaunayComplex buildDelaunayComplex(std::span<const Vec3> input, Execution& exe
 {
   checkCoordinates(input);
   execution.step("triangulate", 0, 1);
-  std::vector<IndexedPoint> points = sortAlongHilbertCurve(input);
+  std::vector<IndexedPoint> points = sortAlongHilbertCurve(input, execution.threads());
 
   Triangulation triangulation;
   const std::vector<Index> firstIndex = insertPoints(triangulation, points, execution);
