@@ -36,6 +36,31 @@ ResultValue optionalCount(const std::optional<std::int64_t>& number)
 /// In the order of vtkScanRenderFilter::ViewType.
 const std::vector<std::string> kViews{ "iso", "front", "back", "left", "right", "top", "bottom" };
 
+/// What a user who looks at the surface only would not see.
+std::string wrapNote(vtkAlgorithm& filter)
+{
+  const WrapReport& report = dynamic_cast<vtkScanWrapFilter&>(filter).GetReport();
+  const Index distinct = report.pointsRead - report.duplicatesMerged;
+  std::string note;
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (report.duplicatesMerged > 0)
+  {
+    add(std::to_string(report.duplicatesMerged) + " of " + std::to_string(report.pointsRead) +
+      " points repeat others and were merged");
+  }
+  if (report.pointsOnSurface < distinct)
+  {
+    add(std::to_string(distinct - report.pointsOnSurface) + " of " + std::to_string(distinct) +
+      " points are not on the surface");
+  }
+  if (report.nonManifoldEdges + report.nonManifoldVertices > 0)
+  {
+    add("the surface touched itself and was split at " + std::to_string(report.nonManifoldEdges) +
+      " edges and " + std::to_string(report.nonManifoldVertices) + " points");
+  }
+  return note;
+}
+
 Operation wrapOperation()
 {
   Operation row;
@@ -81,12 +106,14 @@ Operation wrapOperation()
       { "points-split", count(report.nonManifoldVertices) },
     };
   };
+  row.note = wrapNote;
   return row;
 }
 
 Results infoResults(vtkAlgorithm& filter)
 {
-  const MeshReport& report = dynamic_cast<vtkScanInfoFilter&>(filter).GetReport();
+  const auto& info = dynamic_cast<vtkScanInfoFilter&>(filter);
+  const MeshReport& report = info.GetReport();
   Results results{
     { "points", count(report.points) },
     { "triangles", count(report.triangles) },
@@ -97,8 +124,9 @@ Results infoResults(vtkAlgorithm& filter)
     { "box-max-y", report.boxMax.y },
     { "box-max-z", report.boxMax.z },
     { "box-diagonal", report.boxDiagonal },
+    { "spacing", info.GetSpacing() },
   };
-  if (report.triangles == 0)
+  if (report.components.empty())
   {
     return results;
   }
@@ -106,6 +134,8 @@ Results infoResults(vtkAlgorithm& filter)
     { "points-used", count(report.pointsUsed) },
     { "edges", count(report.edges) },
     { "components", count(static_cast<std::int64_t>(report.components.size())) },
+    { "largest-component-points", count(report.components.front().points) },
+    { "largest-component-triangles", count(report.components.front().triangles) },
     { "closed", report.isClosed },
     { "manifold", report.isManifold },
     { "oriented", report.isOriented },

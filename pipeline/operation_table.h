@@ -45,6 +45,10 @@ struct Operation
 
   /// What the filter found out in its last run.
   std::function<Results(vtkAlgorithm&)> results;
+
+  /// One line on what the user should know about the last run, such as what was left out; empty
+  /// when all went as expected. May be null.
+  std::function<std::string(vtkAlgorithm&)> note;
 };
 
 /// Every operation, by stage.

@@ -128,9 +128,10 @@ StepResult runOperation(const Operation& operation, const ParameterValues& given
   {
     const auto filter = operation.make(completeValues(operation, given));
     StepResult step = runAlgorithm(*filter, &input, options);
-    if (step.outcome.state == State::ok && operation.results)
+    if (step.outcome.state == State::ok)
     {
-      step.results = operation.results(*filter);
+      step.results = operation.results ? operation.results(*filter) : Results();
+      step.note = operation.note ? operation.note(*filter) : std::string();
     }
     return step;
   }

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <string>
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -31,6 +32,7 @@ struct StepResult
   double seconds = 0.0;
   std::int64_t peakBytes = 0; ///< peak resident memory of the program so far
   Results results;
+  std::string note;                      ///< what the user should know, see Operation
   vtkSmartPointer<vtkDataObject> output; ///< null unless it went well; nobody changes it any more
 };
 

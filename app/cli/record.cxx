@@ -91,6 +91,7 @@ std::string Record::json(int exitStatus, const std::string& failure) const
     entry["seconds"] = step.result.seconds;
     entry["peak-bytes"] = step.result.peakBytes;
     entry["results"] = objectOf(step.result.results);
+    entry["note"] = step.result.note;
     record["steps"].push_back(std::move(entry));
   }
   // names of files need not be UTF-8

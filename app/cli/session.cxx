@@ -188,6 +188,7 @@ public:
         this->apply(std::get<OperationWish>(step));
       }
     }
+    say(this->Notes);
   }
 
   void writeRecord(ExitStatus status, const std::string& message) const
@@ -227,6 +228,10 @@ private:
     const std::string table = tableOf(found.results);
     const StepResult step = this->finish(
       operation.verb, completeValues(operation, wish.given), std::move(found), ExitStatus::failed);
+    if (!step.note.empty() && !this->Line.quiet)
+    {
+      this->Notes += "scanwrap: " + operation.verb + ": " + step.note + "\n";
+    }
     if (auto* const model = vtkPolyData::SafeDownCast(step.output))
     {
       this->Model = model;
@@ -304,6 +309,7 @@ private:
   bool IsOutputFree = true; // nobody asked for data on standard output
   vtkSmartPointer<vtkPolyData> Model;
   vtkSmartPointer<vtkDataObject> Picture; // of the model as it is
+  std::string Notes;                      ///< told when everything went well
 };
 
 } // namespace

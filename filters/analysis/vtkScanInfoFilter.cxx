@@ -3,6 +3,7 @@
 #include "filters/analysis/vtkScanInfoFilter.h"
 
 #include "filters/base/vtkScanMeshBridge.h"
+#include "filters/geometry/spacing.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -12,8 +13,11 @@ vtkStandardNewMacro(vtkScanInfoFilter);
 void vtkScanInfoFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution)
 {
   execution.plan({ { "measure", 1.0 } });
-  execution.step("measure", 0, 1);
-  this->Report = scan::describeMesh(scan::bridge::meshOf(input));
+  execution.step("measure", 0, 2);
+  const scan::TriMesh mesh = scan::bridge::meshOf(input);
+  this->Report = scan::describeMesh(mesh);
+  execution.step("measure", 1, 2);
+  this->Spacing = scan::meanSpacing(mesh.points);
   output.ShallowCopy(&input);
-  execution.step("measure", 1, 1);
+  execution.step("measure", 2, 2);
 }

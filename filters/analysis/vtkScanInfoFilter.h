@@ -19,6 +19,9 @@ public:
   /// Of the last run's input.
   const scan::MeshReport& GetReport() const { return this->Report; }
 
+  /// Mean spacing of the last run's points, see filters/geometry/spacing.h.
+  double GetSpacing() const { return this->Spacing; }
+
 protected:
   vtkScanInfoFilter() = default;
   ~vtkScanInfoFilter() override = default;
@@ -27,4 +30,5 @@ protected:
 
 private:
   scan::MeshReport Report;
+  double Spacing = 0.0;
 };

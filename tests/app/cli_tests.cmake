@@ -15,6 +15,10 @@ scan_cli_test(Pipe "cat $DATA/torus.xyz | scanwrap - wrap -o - | scanwrap - info
 scan_cli_test(RedirectedInput "scanwrap - info < $DATA/torus.xyz" OUT "^points +5000\n")
 scan_cli_test(TableLeavesDataAlone "scanwrap $DATA/torus.xyz wrap info -o - 2> err > m.ply; head -c 4 m.ply; grep -q genus err"
   OUT "^ply\n")
+scan_cli_test(TellsWhatIsLeftOut "scanwrap $DATA/plate_hole.xyz $DATA/plate_hole.xyz wrap --mode=classic -o out.stl 2>&1"
+  FILES out.stl OUT "^scanwrap: wrap: 4954 of 9908 points repeat others and were merged; 333 of 4954 points are not on the surface\n$")
+scan_cli_test(SaysNothingWhenAllIsWell "scanwrap $DATA/torus.xyz wrap -o out.stl 2>&1" FILES out.stl OUT "^$")
+scan_cli_test(SpacingOfPoints "scanwrap $DATA/torus.xyz info" OUT "\nspacing +0\\.0[0-9]+\n")
 scan_cli_test(AsciiOutputs "scanwrap $DATA/torus.xyz --encoding=ascii wrap -o out.stl -o out.ply && scanwrap $DATA/torus.xyz wrap -o b.ply && head -c 6 out.stl && grep -a -c 'format ascii' out.ply && scanwrap out.stl info && scanwrap out.ply -o c.ply && cmp b.ply c.ply"
   FILES out.ply out.stl OUT "^solid 1\n.*triangles +10000\n")
 scan_cli_test(Picture "scanwrap $DATA/torus.xyz render --width=64 --height=48 -o out.png && file -b out.png || od -An -c -N4 out.png"
