@@ -5,6 +5,7 @@
 #include "filters/geometry/wrap.h"
 #include "tests/geometry/complex_corpus.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,6 +29,25 @@ void forAllPointSets(Statement&& statement)
   }
 }
 
+WrapComplex collapsed(const FlowComplex& flow)
+{
+  Execution execution;
+  return collapseFromOutside(flow, execution);
+}
+
+/// Runs a statement over the flow of every such point set.
+template <class Statement>
+void forAllFlows(Statement&& statement)
+{
+  forAllPointSets(
+    [&](const PointSet& set)
+    {
+      Execution execution;
+      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
+      statement(FlowComplex(complex, execution));
+    });
+}
+
 TEST(DelaunayComplex, NeighboursMirrorEachOtherAndOrientationsArePositive)
 {
   forAllPointSets(
@@ -46,6 +66,17 @@ TEST(DelaunayComplex, NeighboursMirrorEachOtherAndOrientationsArePositive)
         const Triangle here = complex.facetVertices(facet);
         const Triangle there = complex.facetVertices(other);
         EXPECT_EQ(sorted({ here.begin(), here.end() }), sorted({ there.begin(), there.end() }));
+      }
+      using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+      const auto point = [&](Index v)
+      {
+        const Vec3& p = complex.points[v];
+        return Kernel::Point_3(p.x, p.y, p.z);
+      };
+      for (const auto& v : complex.tetrahedra)
+      {
+        EXPECT_EQ(
+          CGAL::orientation(point(v[0]), point(v[1]), point(v[2]), point(v[3])), CGAL::POSITIVE);
       }
     });
 }
@@ -88,12 +119,9 @@ TEST(DelaunayComplex, MergesAndCountsDuplicatesKeepingTheFirstIndex)
 
 TEST(FlowComplex, IntervalsPartitionTheComplex)
 {
-  forAllPointSets(
-    [](const PointSet& set)
+  forAllFlows(
+    [](const FlowComplex& flow)
     {
-      Execution execution;
-      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
-      const FlowComplex flow(complex, execution);
       std::vector<Simplex> conflicts;
       std::set<Simplex> covered;
       for (const auto& [simplex, lower] : lowerFaces(intervalsOf(flow, &conflicts)))
@@ -101,36 +129,30 @@ TEST(FlowComplex, IntervalsPartitionTheComplex)
         covered.insert(simplex);
       }
       EXPECT_TRUE(conflicts.empty()) << conflicts.size() << " simplices in two intervals";
-      EXPECT_EQ(covered, allSimplices(complex));
+      EXPECT_EQ(covered, allSimplices(flow.delaunay()));
     });
 }
 
 TEST(FlowComplex, CriticalSimplicesHaveEulerCharacteristicOne)
 {
-  forAllPointSets(
-    [](const PointSet& set)
+  forAllFlows(
+    [](const FlowComplex& flow)
     {
-      Execution execution;
-      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
-      const FlowComplex flow(complex, execution);
       std::array<long, 4> critical{};
       for (const auto& [lower, upper] : intervalsOf(flow))
       {
         critical[lower.size() - 1] += lower == upper ? 1 : 0;
       }
       EXPECT_EQ(critical[0] - critical[1] + critical[2] - critical[3], 1);
-      EXPECT_EQ(critical[0], static_cast<long>(complex.points.size()));
+      EXPECT_EQ(critical[0], static_cast<long>(flow.delaunay().points.size()));
     });
 }
 
 TEST(FlowComplex, RelationIsAcyclic)
 {
-  forAllPointSets(
-    [](const PointSet& set)
+  forAllFlows(
+    [](const FlowComplex& flow)
     {
-      Execution execution;
-      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
-      const FlowComplex flow(complex, execution);
       const Intervals intervals = intervalsOf(flow);
       // an interval points at the intervals of its upper simplex's faces
       const std::map<Simplex, Simplex> lowerOf = lowerFaces(intervals);
@@ -161,12 +183,9 @@ TEST(FlowComplex, RelationIsAcyclic)
 
 TEST(ClassicWrap, IsTheUnionOfTheLowerSetsOfTheCriticalSimplices)
 {
-  forAllPointSets(
-    [](const PointSet& set)
+  forAllFlows(
+    [](const FlowComplex& flow)
     {
-      Execution execution;
-      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
-      const FlowComplex flow(complex, execution);
       const Intervals intervals = intervalsOf(flow);
       const std::map<Simplex, Simplex> lowerOf = lowerFaces(intervals);
       std::vector<Simplex> stack;
@@ -196,20 +215,17 @@ TEST(ClassicWrap, IsTheUnionOfTheLowerSetsOfTheCriticalSimplices)
           }
         }
       }
-      EXPECT_EQ(simplicesOf(collapseFromOutside(flow, execution)), expected);
+      EXPECT_EQ(simplicesOf(collapsed(flow)), expected);
     });
 }
 
 TEST(ClassicWrap, IsContractibleByEulerCharacteristic)
 {
-  forAllPointSets(
-    [](const PointSet& set)
+  forAllFlows(
+    [](const FlowComplex& flow)
     {
-      Execution execution;
-      const DelaunayComplex complex = buildDelaunayComplex(set.points, execution);
-      const FlowComplex flow(complex, execution);
       long euler = 0;
-      for (const Simplex& simplex : simplicesOf(collapseFromOutside(flow, execution)))
+      for (const Simplex& simplex : simplicesOf(collapsed(flow)))
       {
         euler += simplex.size() % 2 == 1 ? 1 : -1;
       }
