@@ -70,13 +70,15 @@ vtkSmartPointer<vtkCellArray> cellsWith(std::span<const std::array<Index, N>> ce
   using Id = typename IdArray::ValueType;
   vtkNew<IdArray> offsets;
   vtkNew<IdArray> connectivity;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(cells.size() + 1));
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(N * cells.size()));
+  const auto count = static_cast<vtkIdType>(cells.size());
+  constexpr auto kCorners = static_cast<vtkIdType>(N);
+  offsets->SetNumberOfValues(count + 1);
+  connectivity->SetNumberOfValues(kCorners * count);
   Id* offset = offsets->GetPointer(0);
   Id* id = connectivity->GetPointer(0);
-  for (std::size_t i = 0; i <= cells.size(); ++i)
+  for (vtkIdType i = 0; i <= count; ++i)
   {
-    offset[i] = static_cast<Id>(N * i);
+    offset[i] = static_cast<Id>(kCorners * i);
   }
   for (const std::array<Index, N>& cell : cells)
   {
