@@ -6,6 +6,7 @@
 #include "filters/geometry/exact_flow_signs.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 

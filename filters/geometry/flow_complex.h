@@ -6,7 +6,6 @@
 #include "filters/geometry/delaunay_complex.h"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -56,15 +55,6 @@ public:
   bool isCriticalTriangle(Facet facet) const
   {
     return this->isFree(facet) && this->obtuseVertex(facet) == kNone;
-  }
-
-  /// The edge of the interval [edge, tet] of a tetrahedron with two attached facets.
-  Segment lowerEdge(Index tet) const
-  {
-    const unsigned others = ~this->Attached[tet] & 15U;
-    const int i = std::countr_zero(others);
-    const int j = std::countr_zero(others & (others - 1));
-    return { this->Complex.tetrahedra[tet][i], this->Complex.tetrahedra[tet][j] };
   }
 
   /// The facet through which a tetrahedron that is no sink flows on: its attached facet, of two
