@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap.h"
 
-#include "filters/geometry/basin_refinement.h"
+#include "filters/geometry/automatic_wrap.h"
 #include "filters/geometry/collect.h"
-#include "filters/geometry/fine_tune.h"
 #include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
-#include "filters/geometry/rooms.h"
-#include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/wrap_complex.h"
 
 #include <algorithm>
@@ -78,6 +75,11 @@ std::vector<Triangle> collectFacets(
     });
 }
 
+AutomaticWrapOptions automaticOptions(WrapOptions::Fit fit)
+{
+  return { .fineTune = fit == WrapOptions::Fit::all };
+}
+
 WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
 {
   const FlowComplex flow(complex, execution);
@@ -99,31 +101,16 @@ WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
 WrapResult wrapAutomatic(const DelaunayComplex& complex, WrapOptions::Fit fit, Execution& execution)
 {
   const FlowComplex flow(complex, execution);
-  const std::vector<float> spacing = localSpacing(flow, execution);
   const Basins basins = findBasins(flow, execution);
-  const std::vector<Wall> walls = findWalls(flow, basins, execution);
-  const std::vector<std::uint8_t> insideBasin = refineBasins(
-    flow, basins, walls, spacing, persistentRooms(flow, basins, walls, execution), execution);
-
-  std::vector<std::uint8_t> inside(complex.tetCount());
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
-  {
-    inside[tet] = insideBasin[basins.ofTet[tet]];
-  }
-  if (fit == WrapOptions::Fit::all)
-  {
-    inside = fineTune(flow, spacing, std::move(inside), execution);
-  }
-
+  const AutomaticWrap found = wrapAutomatically(flow, basins, automaticOptions(fit), execution);
   WrapResult result;
-  result.surface.triangles = collectFacets(complex, execution,
-    [&](Facet facet)
-    {
-      const Index beyond = complex.neighbour(facet / 4, static_cast<int>(facet % 4));
-      return inside[facet / 4] && (beyond == kNone || !inside[beyond]);
-    });
+  result.surface.triangles.reserve(found.surface.size());
+  for (const Facet facet : found.surface)
+  {
+    result.surface.triangles.push_back(complex.facetVertices(facet));
+  }
   result.report.tetrahedraKept =
-    static_cast<Index>(std::count(inside.begin(), inside.end(), std::uint8_t{ 1 }));
+    static_cast<Index>(std::count(found.inside.begin(), found.inside.end(), std::uint8_t{ 1 }));
   result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
   return result;
 }
@@ -154,13 +141,9 @@ std::vector<Phase> wrapPhases(const WrapOptions& options)
   }
   else
   {
-    phases.insert(phases.end(),
-      { { "edges", 1.0 }, { "basins", 1.0 }, { "walls", 0.3 }, { "rooms", 1.0 },
-        { "refine", 2.0 } });
-    if (options.fit == WrapOptions::Fit::all)
-    {
-      phases.push_back({ "fine-tune", 1.0 });
-    }
+    phases.push_back({ "basins", 1.0 });
+    const std::vector<Phase> automatic = automaticWrapPhases(automaticOptions(options.fit));
+    phases.insert(phases.end(), automatic.begin(), automatic.end());
   }
   phases.push_back({ "surface", 1.0 });
   return phases;
