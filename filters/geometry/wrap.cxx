@@ -2,18 +2,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap.h"
 
-#include "filters/geometry/automatic_wrap.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
-#include "filters/geometry/wrap_complex.h"
+#include "filters/geometry/size_scale.h"
+#include "filters/geometry/wrap_editor.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace scan
 {
 namespace
 {
+
+AutomaticWrapOptions automaticOptions(const WrapOptions& options)
+{
+  return { .fineTune = options.fit == WrapOptions::Fit::all };
+}
+
+WrapModel wrapClassic(
+  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
+{
+  auto kept = std::make_shared<WrapComplex>(collapseFromOutside(scan->flow(), execution));
+  WrapModel model;
+  model.lines = std::make_shared<const std::vector<CriticalEdge>>(bareEdges(*kept, execution));
+  model.start = kept;
+  model.current = kept;
+  if (options.size < std::numeric_limits<double>::infinity())
+  {
+    auto opened = std::make_shared<WrapComplex>(*kept);
+    WrapEditor editor(*opened, *model.lines);
+    scan->sizes(execution).resize(
+      editor, *opened, std::numeric_limits<double>::infinity(), options.size, execution);
+    model.current = opened;
+  }
+  model.scan = std::move(scan);
+  return model;
+}
+
+WrapModel wrapAutomatic(
+  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
+{
+  AutomaticWrap found =
+    wrapAutomatically(scan->flow(), scan->basins(), automaticOptions(options), execution);
+  auto kept = std::make_shared<WrapComplex>(scan->flow());
+  for (Index tet = 0; tet < scan->delaunay().tetCount(); ++tet)
+  {
+    if (found.inside[tet])
+    {
+      kept->keepTet(tet);
+    }
+  }
+  WrapModel model;
+  model.isSolid = true;
+  model.inside = std::make_shared<const std::vector<std::uint8_t>>(std::move(found.inside));
+  model.start = kept;
+  model.current = kept;
+  model.lines = std::make_shared<const std::vector<CriticalEdge>>();
+  model.scan = std::move(scan);
+  return model;
+}
+
+/// The boundary of the solids, seen from them.
+std::vector<Facet> boundaryFacets(const WrapComplex& kept, Execution& execution)
+{
+  return collect<Facet>(kept.flow().delaunay().tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      for (Facet facet = 4 * tet; kept.keepsTet(tet) && facet < 4 * tet + 4; ++facet)
+      {
+        if (kept.keptSides(facet) == 1)
+        {
+          found.push_back(facet);
+        }
+      }
+    });
+}
+
+/// The sheets, seen from what the automatic wrap called inside.
+std::vector<Facet> sheetFacets(const WrapModel& model, Execution& execution)
+{
+  const DelaunayComplex& complex = model.scan->delaunay();
+  return collect<Facet>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      for (unsigned sheets = model.current->sheetsNamedAfter(tet); sheets != 0;
+           sheets &= sheets - 1)
+      {
+        const Facet facet = 4 * tet + static_cast<Facet>(std::countr_zero(sheets));
+        const Facet mirror = complex.mirror[tet][facet % 4];
+        const bool isOther = model.inside && mirror != kNone && (*model.inside)[mirror / 4];
+        found.push_back(isOther ? mirror : facet);
+      }
+    });
+}
 
 /// Moves a surface on all vertices of the complex to the vertices it uses, in the same order.
 void compact(const DelaunayComplex& complex, WrapResult& result)
@@ -57,64 +140,6 @@ void compact(const DelaunayComplex& complex, WrapResult& result)
   renumber(result.lines);
 }
 
-/// The wanted facets as triangles that face away from their tetrahedra.
-template <class Wanted>
-std::vector<Triangle> collectFacets(
-  const DelaunayComplex& complex, Execution& execution, Wanted&& wanted)
-{
-  return collect<Triangle>(complex.tetCount(), execution,
-    [&](Index tet, auto& found)
-    {
-      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-      {
-        if (wanted(facet))
-        {
-          found.push_back(complex.facetVertices(facet));
-        }
-      }
-    });
-}
-
-AutomaticWrapOptions automaticOptions(WrapOptions::Fit fit)
-{
-  return { .fineTune = fit == WrapOptions::Fit::all };
-}
-
-WrapResult wrapClassic(const DelaunayComplex& complex, Execution& execution)
-{
-  const FlowComplex flow(complex, execution);
-  const WrapComplex kept = collapseFromOutside(flow, execution);
-  WrapResult result;
-  result.surface.triangles = collectFacets(complex, execution,
-    [&](Facet facet) { return kept.keepsTet(facet / 4) && kept.keptSides(facet) == 1; });
-  std::vector<Triangle> sheets = collectFacets(complex, execution,
-    [&](Facet facet) { return kept.isSheet(facet) && complex.canonical(facet) == facet; });
-  orientConsistently(sheets, complex.points.size());
-  result.report.tetrahedraKept = kept.keptTetCount();
-  result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
-  result.report.sheetTriangles = static_cast<Index>(sheets.size());
-  result.surface.triangles.insert(result.surface.triangles.end(), sheets.begin(), sheets.end());
-  result.lines = keptLines(kept, execution);
-  return result;
-}
-
-WrapResult wrapAutomatic(const DelaunayComplex& complex, WrapOptions::Fit fit, Execution& execution)
-{
-  const FlowComplex flow(complex, execution);
-  const Basins basins = findBasins(flow, execution);
-  const AutomaticWrap found = wrapAutomatically(flow, basins, automaticOptions(fit), execution);
-  WrapResult result;
-  result.surface.triangles.reserve(found.surface.size());
-  for (const Facet facet : found.surface)
-  {
-    result.surface.triangles.push_back(complex.facetVertices(facet));
-  }
-  result.report.tetrahedraKept =
-    static_cast<Index>(std::count(found.inside.begin(), found.inside.end(), std::uint8_t{ 1 }));
-  result.report.boundaryTriangles = static_cast<Index>(result.surface.triangles.size());
-  return result;
-}
-
 /// Splits what is not a manifold and gives the new points the scan points of their originals.
 void makeManifold(WrapResult& result)
 {
@@ -134,15 +159,18 @@ void makeManifold(WrapResult& result)
 
 std::vector<Phase> wrapPhases(const WrapOptions& options)
 {
-  std::vector<Phase> phases{ { "triangulate", 10.0 }, { "classify", 1.0 } };
+  std::vector<Phase> phases{ { "triangulate", 10.0 }, { "classify", 1.0 }, { "basins", 1.0 } };
   if (options.mode == WrapOptions::Mode::classic)
   {
     phases.insert(phases.end(), { { "collapse", 2.0 }, { "edges", 1.0 } });
+    if (options.size < std::numeric_limits<double>::infinity())
+    {
+      phases.push_back({ "blocks", 1.0 });
+    }
   }
   else
   {
-    phases.push_back({ "basins", 1.0 });
-    const std::vector<Phase> automatic = automaticWrapPhases(automaticOptions(options.fit));
+    const std::vector<Phase> automatic = automaticWrapPhases(automaticOptions(options));
     phases.insert(phases.end(), automatic.begin(), automatic.end());
   }
   phases.push_back({ "surface", 1.0 });
@@ -151,21 +179,69 @@ std::vector<Phase> wrapPhases(const WrapOptions& options)
 
 WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution)
 {
-  const DelaunayComplex complex = buildDelaunayComplex(points, execution);
-  WrapResult result = options.mode == WrapOptions::Mode::classic
-    ? wrapClassic(complex, execution)
-    : wrapAutomatic(complex, options.fit, execution);
-  execution.step("surface", 0, 2);
+  return wrap(std::make_shared<const ScanComplex>(points, execution), options, execution);
+}
+
+WrapResult wrap(
+  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
+{
+  const WrapModel model = options.mode == WrapOptions::Mode::classic
+    ? wrapClassic(std::move(scan), options, execution)
+    : wrapAutomatic(std::move(scan), options, execution);
+  return surfaceOf(model, options.manifold, execution);
+}
+
+WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution)
+{
+  execution.step("surface", 0, 3);
+  const DelaunayComplex& complex = model.scan->delaunay();
+  WrapResult result;
+  result.model = model;
+  result.facets = boundaryFacets(*model.current, execution);
+  const std::vector<Facet> sheets = sheetFacets(model, execution);
+  result.report.boundaryTriangles = static_cast<Index>(result.facets.size());
+  result.report.sheetTriangles = static_cast<Index>(sheets.size());
+  result.report.tetrahedraKept = model.current->keptTetCount();
+  const auto trianglesOf = [&](const std::vector<Facet>& facets)
+  {
+    std::vector<Triangle> triangles(facets.size());
+    execution.parallelFor(facets.size(), 1 << 14,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          triangles[t] = complex.facetVertices(facets[t]);
+        }
+      });
+    return triangles;
+  };
+  result.surface.triangles = trianglesOf(result.facets);
+  if (!sheets.empty())
+  {
+    std::vector<Triangle> oriented = trianglesOf(sheets);
+    orientConsistently(oriented, complex.points.size());
+    result.facets.insert(result.facets.end(), sheets.begin(), sheets.end());
+    result.surface.triangles.insert(
+      result.surface.triangles.end(), oriented.begin(), oriented.end());
+  }
+  for (const CriticalEdge& line : *model.lines)
+  {
+    if (keptTrianglesAtEdge(*model.current, { line.triangle, line.apex }, 1) == 0)
+    {
+      result.lines.push_back(line.vertices);
+    }
+  }
+  execution.step("surface", 1, 3);
   compact(complex, result);
-  result.report.pointsRead = static_cast<Index>(points.size());
   result.report.duplicatesMerged = complex.duplicates;
+  result.report.pointsRead = static_cast<Index>(complex.points.size()) + complex.duplicates;
   result.report.tetrahedra = complex.tetCount();
-  execution.step("surface", 1, 2);
-  if (options.manifold)
+  execution.step("surface", 2, 3);
+  if (manifold)
   {
     makeManifold(result);
   }
-  execution.step("surface", 2, 2);
+  execution.step("surface", 3, 3);
   return result;
 }
 

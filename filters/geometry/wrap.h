@@ -3,8 +3,12 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "filters/geometry/automatic_wrap.h"
 #include "filters/geometry/mesh.h"
+#include "filters/geometry/wrap_model.h"
 
+#include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,6 +31,10 @@ struct WrapOptions
   Mode mode = Mode::automatic;
   Fit fit = Fit::all;   ///< automatic mode only
   bool manifold = true; ///< split non-manifold edges and vertices into separate sheets
+
+  /// Classic mode only: everything that one reaches from outside through doors wider than this
+  /// radius is removed, and webs with a larger radius. Infinite: nothing.
+  double size = std::numeric_limits<double>::infinity();
 };
 
 /// What happened to the points; nothing is dropped silently.
@@ -45,8 +53,10 @@ struct WrapReport
 
 struct WrapResult
 {
+  WrapModel model;
   TriMesh surface;                 ///< only used points; boundary triangles face outward,
                                    ///< sheets are oriented consistently where they can be
+  std::vector<Facet> facets;       ///< per triangle: its facet; at a boundary seen from the solid
   std::vector<Index> scanPointIds; ///< per surface point: index of its scan point in the input
   std::vector<Segment> lines;      ///< kept edges without a kept triangle (classic mode)
   WrapReport report;
@@ -65,5 +75,12 @@ std::vector<Phase> wrapPhases(const WrapOptions& options);
 /// Time and memory: nearly linear for points on surfaces, about 0.8 kB a point.
 /// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003).
 WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution);
+
+/// The same for a complex that exists already. Reports all phases but those of ScanComplex.
+WrapResult wrap(
+  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution);
+
+/// The surface of a model as it is now. Reports phase "surface".
+WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution);
 
 } // namespace scan

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap_complex.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 
@@ -211,10 +212,12 @@ WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution)
         }
         for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
         {
+          const Index beyond = complex.neighbour(tet, static_cast<int>(facet % 4));
           if (complex.canonical(facet) == facet && flow.isFree(facet) &&
+            (beyond == kNone || !collapse.stays({ true, beyond })) &&
             collapse.stays({ false, facet }))
           {
-            wrap.keepTriangle(facet);
+            wrap.keepSheet(facet);
           }
         }
       }
@@ -222,20 +225,22 @@ WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution)
   return wrap;
 }
 
-std::vector<Segment> keptLines(const WrapComplex& wrap, Execution& execution)
+std::vector<CriticalEdge> bareEdges(const WrapComplex& wrap, Execution& execution)
 {
-  std::vector<Segment> lines;
+  std::vector<CriticalEdge> bare;
   const DelaunayComplex& complex = wrap.flow().delaunay();
   const auto isGone = [&](Facet facet) { return !wrap.keepsTriangle(facet); };
-  for (const CriticalEdge& edge : criticalEdges(wrap.flow(), execution, isGone))
+  for (CriticalEdge& edge : criticalEdges(wrap.flow(), execution, isGone))
   {
     if (complex.walkWholeEdge(
           edge.triangle, edge.apex, [&](Facet, Facet leaving, Facet) { return isGone(leaving); }))
     {
-      lines.push_back(edge.vertices);
+      std::ranges::sort(edge.vertices);
+      bare.push_back(edge);
     }
   }
-  return lines;
+  std::ranges::sort(bare, {}, &CriticalEdge::vertices);
+  return bare;
 }
 
 } // namespace scan

@@ -12,20 +12,20 @@
 namespace scan
 {
 
-/// A subcomplex of a Delaunay complex: which tetrahedra and which free triangles are kept.
-///
-/// All vertices and critical edges are kept; a triangle that is attached to a tetrahedron is kept
-/// with it; one that bounds a kept tetrahedron is kept.
+/// A closed subcomplex of a Delaunay complex: the tetrahedra that are kept, and the *sheets*, the
+/// triangles that are kept with no kept tetrahedron on either side. Faces of these are kept too,
+/// and so is every vertex. One byte a tetrahedron; two of them are equal exactly when the same
+/// tetrahedra and triangles are kept.
 class WrapComplex
 {
 public:
   explicit WrapComplex(const FlowComplex& flow)
-    : Flow(flow)
+    : Flow(&flow)
     , State(flow.delaunay().tetCount(), 0)
   {
   }
 
-  const FlowComplex& flow() const { return this->Flow; }
+  const FlowComplex& flow() const { return *this->Flow; }
 
   bool keepsTet(Index tet) const { return this->State[tet] & kTet; }
 
@@ -38,34 +38,50 @@ public:
   /// Number of kept tetrahedra beside the triangle: 2 interior, 1 boundary, 0 sheet or gone.
   int keptSides(Facet facet) const
   {
-    const Index beyond = this->Flow.delaunay().neighbour(facet / 4, static_cast<int>(facet % 4));
+    const Index beyond = this->Flow->delaunay().neighbour(facet / 4, static_cast<int>(facet % 4));
     return (this->keepsTet(facet / 4) ? 1 : 0) +
       (beyond != kNone && this->keepsTet(beyond) ? 1 : 0);
   }
 
-  /// Kept without a kept tetrahedron on either side.
   bool isSheet(Facet facet) const
   {
-    const Facet name = this->Flow.delaunay().canonical(facet);
-    return this->State[name / 4] >> (name % 4) & 1U && this->keptSides(facet) == 0;
+    const Facet name = this->Flow->delaunay().canonical(facet);
+    return this->State[name / 4] >> (name % 4) & 1U;
   }
+
+  /// Bit k: facet k of the tetrahedron is a sheet, and its canonical name is this one.
+  unsigned sheetsNamedAfter(Index tet) const { return this->State[tet] & (kTet - 1U); }
 
   bool keepsTriangle(Facet facet) const
   {
     return this->keptSides(facet) > 0 || this->isSheet(facet);
   }
 
+  /// None of the triangle's sheets may be kept beside a kept tetrahedron: keepTet() leaves it to
+  /// the caller to drop them, here and in dropTet() to keep them.
   void keepTet(Index tet) { this->State[tet] |= kTet; }
-  void keepTriangle(Facet canonical)
+  void dropTet(Index tet) { this->State[tet] &= static_cast<std::uint8_t>(~kTet); }
+  void keepSheet(Facet facet)
   {
-    this->State[canonical / 4] |= static_cast<std::uint8_t>(1U << (canonical % 4));
+    const Facet name = this->Flow->delaunay().canonical(facet);
+    this->State[name / 4] |= static_cast<std::uint8_t>(1U << (name % 4));
+  }
+  void dropSheet(Facet facet)
+  {
+    const Facet name = this->Flow->delaunay().canonical(facet);
+    this->State[name / 4] &= static_cast<std::uint8_t>(~(1U << (name % 4)));
+  }
+
+  friend bool operator==(const WrapComplex& a, const WrapComplex& b)
+  {
+    return a.Flow == b.Flow && a.State == b.State;
   }
 
 private:
   static constexpr std::uint8_t kTet = 16;
 
-  const FlowComplex& Flow;
-  std::vector<std::uint8_t> State; ///< kTet; bit k: the canonical free triangle k is kept
+  const FlowComplex* Flow;
+  std::vector<std::uint8_t> State; ///< kTet; bit k: the canonical triangle k is a sheet
 };
 
 /// The Wrap complex: what remains of the Delaunay complex after all collapses possible from the
@@ -75,7 +91,8 @@ private:
 /// Bauer, Edelsbrunner (2017), section 6.
 WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution);
 
-/// Kept edges without a kept triangle. Reports phase "edges".
-std::vector<Segment> keptLines(const WrapComplex& wrap, Execution& execution);
+/// The critical edges without a kept triangle. In the Wrap complex they are kept, as lines.
+/// Smaller vertex first, sorted by vertices. Reports phase "edges".
+std::vector<CriticalEdge> bareEdges(const WrapComplex& wrap, Execution& execution);
 
 } // namespace scan

@@ -242,9 +242,9 @@ std::set<Simplex> simplicesOf(const WrapComplex& wrap)
     }
   }
   Execution execution(1);
-  for (const Segment& line : keptLines(wrap, execution))
+  for (const CriticalEdge& line : bareEdges(wrap, execution))
   {
-    insertWithFaces(sorted({ line[0], line[1] }), kept);
+    insertWithFaces({ line.vertices[0], line.vertices[1] }, kept);
   }
   for (Index v = 0; v < complex.points.size(); ++v)
   {

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/block_marks.h"
+
+#include "filters/geometry/collect.h"
+#include "filters/geometry/point_triangle.h"
+#include "filters/geometry/wrap_editor.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace scan
+{
+namespace
+{
+
+/// A tetrahedron or a sheet triangle that is kept.
+struct Holder
+{
+  Index tet = kNone;
+  Facet sheet = kNone;
+};
+
+/// The widest kept coface, outside its own interval, of what is kept at an edge.
+Holder widestAtEdge(const WrapComplex& kept, EdgeOfTriangle edge, Index ownTet, Facet ownTriangle)
+{
+  const DelaunayComplex& complex = kept.flow().delaunay();
+  Holder widest;
+  double radius2 = -1.0;
+  const auto offer = [&](Holder holder, double candidate)
+  {
+    if (candidate > radius2)
+    {
+      radius2 = candidate;
+      widest = holder;
+    }
+  };
+  forEachTriangleAtEdge(complex, edge,
+    [&](Facet at, Index)
+    {
+      const Facet mirror = complex.mirror[at / 4][at % 4];
+      for (const Facet side : { at, mirror })
+      {
+        if (side != kNone && side / 4 != ownTet && kept.keepsTet(side / 4))
+        {
+          offer({ .tet = side / 4 }, circumradiusSquared(complex, side / 4));
+        }
+      }
+      if (kept.isSheet(at) && complex.canonical(at) != ownTriangle)
+      {
+        offer({ .sheet = complex.canonical(at) },
+          circumradiusSquared(complex, complex.facetVertices(at)));
+      }
+      return true;
+    });
+  return widest;
+}
+
+/// One step up the flow among what is kept; nothing at a critical simplex, or where an edit left
+/// over what nothing else holds.
+Holder holderOf(const WrapComplex& kept, const Holder& held)
+{
+  const FlowComplex& flow = kept.flow();
+  const DelaunayComplex& complex = flow.delaunay();
+  if (held.tet == kNone)
+  {
+    const Index apex = flow.isFree(held.sheet) ? flow.obtuseVertex(held.sheet) : kNone;
+    return apex == kNone ? Holder{} : widestAtEdge(kept, { held.sheet, apex }, kNone, held.sheet);
+  }
+  const unsigned attached = flow.attachedFacets(held.tet);
+  Holder widest;
+  double radius2 = -1.0;
+  for (unsigned rest = attached; rest != 0; rest &= rest - 1)
+  {
+    const Index beyond = complex.neighbour(held.tet, std::countr_zero(rest));
+    if (beyond != kNone && kept.keepsTet(beyond) && circumradiusSquared(complex, beyond) > radius2)
+    {
+      radius2 = circumradiusSquared(complex, beyond);
+      widest.tet = beyond;
+    }
+  }
+  if (widest.tet != kNone || std::popcount(attached) < 2)
+  {
+    return widest;
+  }
+  const auto first = static_cast<unsigned>(std::countr_zero(attached));
+  const auto second = static_cast<unsigned>(std::countr_zero(attached & (attached - 1)));
+  const Index apex = complex.tetrahedra[held.tet][second];
+  return widestAtEdge(kept, { 4 * held.tet + first, apex }, held.tet, kNone);
+}
+
+/// The tetrahedron whose smallest barycentric coordinate at the point is largest: the one around
+/// it, or kNone when the point is outside the convex hull.
+Index tetAround(const DelaunayComplex& complex, const Vec3& point, Execution& execution)
+{
+  struct Candidate
+  {
+    Index tet;
+    double depth;
+  };
+  const std::vector<Candidate> around = collect<Candidate>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      const auto& v = complex.tetrahedra[tet];
+      const Vec3& origin = complex.points[v[0]];
+      const Vec3 b = complex.points[v[1]] - origin;
+      const Vec3 c = complex.points[v[2]] - origin;
+      const Vec3 d = complex.points[v[3]] - origin;
+      const Vec3 p = point - origin;
+      const double det = dot(b, cross(c, d));
+      const double lb = dot(p, cross(c, d));
+      const double lc = dot(p, cross(d, b));
+      const double ld = dot(p, cross(b, c));
+      constexpr double kRounding = 1e-9; // of the tetrahedron: a point on a facet is in both
+      const double depth = std::min({ lb, lc, ld, det - lb - lc - ld }) / det;
+      if (depth >= -kRounding)
+      {
+        found.push_back({ tet, depth });
+      }
+    });
+  const auto deepest = std::ranges::max_element(around, {}, &Candidate::depth);
+  return deepest == around.end() ? kNone : deepest->tet;
+}
+
+} // namespace
+
+bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& block)
+{
+  return block.isSheet ? complex.keepsTriangle(block.name)
+                       : complex.keepsTet(blocks.sink(block.name));
+}
+
+double sizeOf(const Blocks& blocks, const BlockName& block)
+{
+  const DelaunayComplex& complex = blocks.flow().delaunay();
+  return block.isSheet ? std::sqrt(circumradiusSquared(complex, complex.facetVertices(block.name)))
+                       : blocks.size(block.name);
+}
+
+BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triangle)
+{
+  const WrapComplex& kept = *model.current;
+  const DelaunayComplex& complex = kept.flow().delaunay();
+  Holder top;
+  if (kept.isSheet(triangle))
+  {
+    top.sheet = complex.canonical(triangle);
+  }
+  else
+  {
+    top.tet = kept.keepsTet(triangle / 4)
+      ? triangle / 4
+      : complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
+    const Index block = blocks.ofTet(top.tet);
+    if (model.isSolid || (blocks.isVolume(block) && kept.keepsTet(blocks.sink(block))))
+    {
+      return { .isSheet = false, .name = block };
+    }
+  }
+  for (Holder next = top; next.tet != kNone || next.sheet != kNone; next = holderOf(kept, top))
+  {
+    top = next;
+  }
+  return top.tet == kNone ? BlockName{ .isSheet = true, .name = top.sheet }
+                          : BlockName{ .isSheet = false, .name = blocks.ofTet(top.tet) };
+}
+
+BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& execution)
+{
+  const Blocks& blocks = model.scan->blocks(execution);
+  const DelaunayComplex& complex = model.scan->delaunay();
+  const Index around = tetAround(complex, point, execution);
+  if (around != kNone && blocks.isVolume(blocks.ofTet(around)) &&
+    !model.current->keepsTet(blocks.sink(blocks.ofTet(around))))
+  {
+    return { .isSheet = false, .name = blocks.ofTet(around) };
+  }
+  const auto distanceTo = [&](Facet facet)
+  {
+    const Triangle v = complex.facetVertices(facet);
+    return squaredDistance(point, complex.points[v[0]], complex.points[v[1]], complex.points[v[2]]);
+  };
+  BlockName nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+  {
+    if (complex.canonical(facet) == facet && model.start->keepsTriangle(facet) &&
+      !model.current->keepsTriangle(facet) && model.scan->flow().isCriticalTriangle(facet))
+    {
+      const double distance2 = distanceTo(facet);
+      if (distance2 < least)
+      {
+        least = distance2;
+        nearest = { .isSheet = true, .name = facet };
+      }
+    }
+  }
+  return nearest;
+}
+
+} // namespace scan

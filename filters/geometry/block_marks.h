@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/blocks.h"
+#include "filters/geometry/wrap_model.h"
+
+#include <compare>
+
+namespace scan
+{
+
+/// A block of a wrap: a volume block by its number, or a sheet block by the canonical name of its
+/// critical triangle.
+struct BlockName
+{
+  bool isSheet = false;
+  Index name = kNone;
+
+  friend auto operator<=>(const BlockName&, const BlockName&) = default;
+};
+
+/// The block that a triangle of the surface belongs to: of a boundary triangle the block of the
+/// kept tetrahedron behind it, of a sheet triangle the block that it flows to. Where that block is
+/// gone and the tetrahedron or triangle stayed, the kept block that it stayed for.
+BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triangle);
+
+/// The removed block that a point means: the volume block around it, else the sheet block removed
+/// since the start that is nearest to it. Empty names (kNone) when there is none.
+BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& execution);
+
+/// Whether the block's critical simplex is kept.
+bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& block);
+
+/// The size of a block: the radius of its critical simplex.
+double sizeOf(const Blocks& blocks, const BlockName& block);
+
+} // namespace scan

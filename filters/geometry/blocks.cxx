@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/blocks.h"
+
+#include "filters/geometry/collect.h"
+#include "filters/geometry/union_find.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace scan
+{
+namespace
+{
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<Door> findDoors(const Blocks& blocks, Execution& execution)
+{
+  const FlowComplex& flow = blocks.flow();
+  const DelaunayComplex& complex = flow.delaunay();
+  return collect<Door>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      const Index a = blocks.ofTet(tet);
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      {
+        const Index beyond = complex.neighbour(tet, static_cast<int>(facet % 4));
+        const Index b = beyond == kNone ? blocks.outside() : blocks.ofTet(beyond);
+        if (a != b && complex.canonical(facet) == facet && flow.isCriticalTriangle(facet))
+        {
+          found.push_back(
+            { facet, a, b, std::sqrt(circumradiusSquared(complex, complex.facetVertices(facet))) });
+        }
+      }
+    });
+}
+
+} // namespace
+
+Blocks::Blocks(const FlowComplex& flow, const Basins& basins, Execution& execution)
+  : Flow(flow)
+  , TheBasins(basins)
+  , Size(basins.count() + 1, kInfinity)
+  , Persistence(basins.count() + 1, 1.0)
+  , Opening(basins.count() + 1, kInfinity)
+{
+  execution.step("blocks", 0, 3);
+  for (Index block = 0; block < basins.count(); ++block)
+  {
+    if (this->isVolume(block))
+    {
+      this->Size[block] = std::sqrt(circumradiusSquared(flow.delaunay(), basins.sink[block]));
+    }
+  }
+  this->Doors = findDoors(*this, execution);
+  execution.step("blocks", 1, 3);
+  this->DoorsOfBlock = Incidence(basins.count() + 1, this->Doors.size(),
+    [&](std::size_t d, auto&& visit)
+    {
+      visit(this->Doors[d].a);
+      visit(this->Doors[d].b);
+    });
+  execution.step("blocks", 2, 3);
+  this->measureOpenings();
+  execution.step("blocks", 3, 3);
+}
+
+/// Kruskal over the doors from wide to narrow: where two rooms meet, the smaller one dies
+/// (persistence); where one of them is the outside, the other opens.
+void Blocks::measureOpenings()
+{
+  std::vector<Index> byRadius(this->Doors.size());
+  std::iota(byRadius.begin(), byRadius.end(), Index{ 0 });
+  std::ranges::stable_sort(
+    byRadius, [&](Index p, Index q) { return this->Doors[p].radius > this->Doors[q].radius; });
+
+  UnionFind rooms(this->Size.size());
+  std::vector<Index> next(this->Size.size()); // the members of a room in a ring
+  std::iota(next.begin(), next.end(), Index{ 0 });
+  const auto isOpen = [&](Index room) { return rooms.root(this->outside()) == room; };
+  for (const Index d : byRadius)
+  {
+    const Door& door = this->Doors[d];
+    Index elder = rooms.root(door.a);
+    Index younger = rooms.root(door.b);
+    if (elder == younger)
+    {
+      continue;
+    }
+    if (this->Size[elder] < this->Size[younger])
+    {
+      std::swap(elder, younger);
+    }
+    this->Persistence[younger] = std::max(1.0, this->Size[younger] / door.radius);
+    if (isOpen(elder))
+    {
+      Index member = younger;
+      do
+      {
+        this->Opening[member] = door.radius;
+        member = next[member];
+      } while (member != younger);
+    }
+    std::swap(next[elder], next[younger]);
+    rooms.join(elder, younger);
+  }
+}
+
+} // namespace scan

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/block_marks.h"
+#include "filters/geometry/wrap_editor.h"
+#include "filters/geometry/wrap_model.h"
+
+#include <span>
+#include <vector>
+
+namespace scan
+{
+
+struct PushOptions
+{
+  bool deep = false;  ///< and every block that one can pass to from there, recursively
+  double reach = 1.5; ///< kappa >= 1: one passes from a block of size r through doors of r / kappa
+};
+
+/// What a push or pull did. The Euler characteristic of the complex changes by `change`.
+struct PushReport
+{
+  std::vector<BlockName> blocks; ///< removed or added, in the order they were reached
+  Index doors = 0;               ///< walls removed between blocks that are both gone
+  WrapChange change;
+
+  std::vector<Facet> trianglesGone; ///< from the surface; canonical names, in increasing order
+  std::vector<Facet> trianglesNew;  ///< on the surface
+};
+
+/// Removes the blocks that the triangles of the surface belong to; triangles that are not on the
+/// surface are left out. Removing a block removes its critical simplex, and everything that then
+/// collapses. Afterwards doors are removed whose sides are both gone and one of which passes to the
+/// other: walls between rooms of one hollow vanish, the scanned surface between two hollows stays.
+/// Of a solid model the block's tetrahedra are removed and no sheets stay.
+/// Time and memory follow what is removed, plus a copy of the state.
+/// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003), section 6.
+PushReport push(WrapModel& model, std::span<const Facet> triangles, const PushOptions& options,
+  Execution& execution);
+
+/// Adds removed blocks back, as far as they were there at the start if they were: the inverse of
+/// push. With `deep` also the removed blocks that one passes to.
+PushReport pull(WrapModel& model, std::span<const BlockName> removed, const PushOptions& options,
+  Execution& execution);
+
+} // namespace scan

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/size_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace scan
+{
+namespace
+{
+
+double radiusOf(const DelaunayComplex& complex, Facet triangle)
+{
+  return std::sqrt(circumradiusSquared(complex, complex.facetVertices(triangle)));
+}
+
+/// The entries with to < radius <= from.
+template <class Entry>
+std::span<const Entry> between(const std::vector<Entry>& entries, double from, double to)
+{
+  const auto first =
+    std::ranges::partition_point(entries, [&](const Entry& entry) { return entry.radius > from; });
+  const auto last =
+    std::ranges::partition_point(entries, [&](const Entry& entry) { return entry.radius > to; });
+  return first < last ? std::span<const Entry>(first, last) : std::span<const Entry>();
+}
+
+} // namespace
+
+SizeScale::SizeScale(const Blocks& blocks)
+  : TheBlocks(blocks)
+{
+  const FlowComplex& flow = blocks.flow();
+  const DelaunayComplex& complex = flow.delaunay();
+  for (Index block = 0; block < blocks.outside(); ++block)
+  {
+    if (blocks.isVolume(block))
+    {
+      this->Openings.push_back({ blocks.opening(block), block });
+    }
+  }
+  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+  {
+    if (complex.canonical(facet) == facet && flow.isCriticalTriangle(facet))
+    {
+      this->Triangles.push_back({ radiusOf(complex, facet), facet });
+    }
+  }
+  const auto wideFirst = [](const Entry& a, const Entry& b)
+  { return a.radius != b.radius ? a.radius > b.radius : a.name < b.name; };
+  std::ranges::sort(this->Openings, wideFirst);
+  std::ranges::sort(this->Triangles, wideFirst);
+}
+
+void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double from, double to,
+  Execution& execution) const
+{
+  if (to < from)
+  {
+    this->open(editor, complex, from, to, execution);
+    return;
+  }
+  for (const Entry& entry : between(this->Openings, to, from))
+  {
+    editor.addLowerSet(this->TheBlocks.sink(entry.name), nullptr, execution);
+  }
+  for (const Entry& entry : between(this->Triangles, to, from))
+  {
+    editor.addLowerSetOfTriangle(entry.name, nullptr, execution);
+  }
+}
+
+void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from, double to,
+  Execution& execution) const
+{
+  for (const Entry& entry : between(this->Openings, from, to))
+  {
+    if (const Index sink = this->TheBlocks.sink(entry.name); complex.keepsTet(sink))
+    {
+      editor.removeTet(sink);
+    }
+  }
+  editor.collapse(execution);
+  const auto removeWide = [&](Facet triangle)
+  {
+    if (complex.isSheet(triangle))
+    {
+      editor.removeSheet(triangle);
+    }
+  };
+  for (const Entry& entry : between(this->Triangles, from, to))
+  {
+    removeWide(entry.name);
+  }
+  // wider ones stood as long as there was a solid on one side
+  const FlowComplex& flow = this->TheBlocks.flow();
+  for (std::size_t i = 0; i < editor.touchedSheets().size(); ++i)
+  {
+    const Facet triangle = editor.touchedSheets()[i];
+    if (flow.isCriticalTriangle(triangle) && radiusOf(flow.delaunay(), triangle) > to)
+    {
+      removeWide(triangle);
+    }
+  }
+  editor.collapse(execution);
+}
+
+} // namespace scan

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/wrap_editor.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::size_t kStepsBetweenChecks = 1 << 14;
+
+/// Of a tetrahedron with two attached facets: the edge they share.
+EdgeOfTriangle sharedEdge(const FlowComplex& flow, Index tet)
+{
+  const unsigned attached = flow.attachedFacets(tet);
+  const auto first = static_cast<unsigned>(std::countr_zero(attached));
+  const auto second = static_cast<unsigned>(std::countr_zero(attached & (attached - 1)));
+  return { 4 * tet + first, flow.delaunay().tetrahedra[tet][second] };
+}
+
+/// Calls act(edge) for the three edges of a triangle.
+template <class Act>
+void forEachEdge(const DelaunayComplex& complex, Facet facet, Act&& act)
+{
+  for (const Index apex : complex.facetVertices(facet))
+  {
+    act(EdgeOfTriangle{ facet, apex });
+  }
+}
+
+} // namespace
+
+EdgeInterval intervalOfEdge(const FlowComplex& flow, EdgeOfTriangle edge)
+{
+  EdgeInterval interval;
+  forEachTriangleAtEdge(flow.delaunay(), edge,
+    [&](Facet at, Index apex)
+    {
+      if (flow.isFree(at) && flow.obtuseVertex(at) == apex)
+      {
+        interval.triangle = flow.delaunay().canonical(at);
+      }
+      return interval.triangle == kNone;
+    });
+  if (interval.triangle == kNone)
+  {
+    flow.delaunay().walkWholeEdge(edge.triangle, edge.apex,
+      [&](Facet entering, Facet leaving, Facet)
+      {
+        if (flow.isAttached(entering) && flow.isAttached(leaving))
+        {
+          interval.tet = entering / 4;
+        }
+        return interval.tet == kNone;
+      });
+  }
+  return interval;
+}
+
+int keptTrianglesAtEdge(const WrapComplex& complex, EdgeOfTriangle edge, int most)
+{
+  int count = 0;
+  forEachTriangleAtEdge(complex.flow().delaunay(), edge,
+    [&](Facet at, Index) { return (count += complex.keepsTriangle(at) ? 1 : 0) < most; });
+  return count;
+}
+
+WrapEditor::WrapEditor(WrapComplex& complex, std::span<const CriticalEdge> lines)
+  : Kept(complex)
+  , Flow(complex.flow())
+  , Complex(Flow.delaunay())
+  , Lines(lines)
+{
+}
+
+bool WrapEditor::isLine(EdgeOfTriangle edge) const
+{
+  if (this->Lines.empty())
+  {
+    return false;
+  }
+  Segment ends{};
+  auto end = ends.begin();
+  for (const Index v : this->Complex.facetVertices(edge.triangle))
+  {
+    if (v != edge.apex)
+    {
+      *end++ = v;
+    }
+  }
+  std::ranges::sort(ends);
+  return std::ranges::binary_search(this->Lines, ends, {}, &CriticalEdge::vertices);
+}
+
+void WrapEditor::removeTet(Index tet)
+{
+  this->Kept.dropTet(tet);
+  --this->Change.tetrahedra;
+  this->TouchedTets.push_back(tet);
+  for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+  {
+    if (this->Kept.keptSides(facet) == 0)
+    {
+      this->Kept.keepSheet(facet);
+      this->TouchedSheets.push_back(facet);
+      this->Triangles.push_back(facet);
+    }
+    else
+    {
+      this->Tets.push_back(this->Complex.neighbour(tet, static_cast<int>(facet % 4)));
+    }
+  }
+}
+
+void WrapEditor::removeSheet(Facet facet)
+{
+  this->Kept.dropSheet(facet);
+  --this->Change.triangles;
+  this->TouchedSheets.push_back(facet);
+  forEachEdge(this->Complex, facet, [&](EdgeOfTriangle edge) { this->reviewEdge(edge); });
+}
+
+/// After the loss of a triangle at the edge: the edge goes when it was the last one; the one or two
+/// that are left may form an interval with it now.
+void WrapEditor::reviewEdge(EdgeOfTriangle edge)
+{
+  int count = 0;
+  Facet last = kNone;
+  forEachTriangleAtEdge(this->Complex, edge,
+    [&](Facet at, Index)
+    {
+      if (this->Kept.keepsTriangle(at))
+      {
+        ++count;
+        last = at;
+      }
+      return count < 3;
+    });
+  if (count == 0)
+  {
+    this->Change.edges -= this->isLine(edge) ? 0 : 1;
+  }
+  else if (count == 1)
+  {
+    this->Triangles.push_back(last);
+  }
+  else if (count == 2)
+  {
+    const Index beyond = this->Complex.neighbour(last / 4, static_cast<int>(last % 4));
+    this->Tets.push_back(this->Kept.keepsTet(last / 4) || beyond == kNone ? last / 4 : beyond);
+  }
+}
+
+void WrapEditor::collapse(Execution& execution)
+{
+  std::size_t steps = 0;
+  while (!this->Tets.empty() || !this->Triangles.empty())
+  {
+    if (++steps % kStepsBetweenChecks == 0)
+    {
+      execution.step("edit", 0, 1);
+    }
+    if (!this->Tets.empty())
+    {
+      const Index tet = this->Tets.back();
+      this->Tets.pop_back();
+      this->collapseTet(tet);
+    }
+    else
+    {
+      const Facet facet = this->Triangles.back();
+      this->Triangles.pop_back();
+      this->collapseTriangle(facet);
+    }
+  }
+}
+
+/// Removes [facet, tet] or [edge, tet] when nothing else is kept at the facet or edge.
+void WrapEditor::collapseTet(Index tet)
+{
+  const unsigned attached = this->Flow.attachedFacets(tet);
+  if (attached == 0 || !this->Kept.keepsTet(tet))
+  {
+    return;
+  }
+  for (unsigned rest = attached; rest != 0; rest &= rest - 1)
+  {
+    if (this->Kept.keptSides(4 * tet + static_cast<Facet>(std::countr_zero(rest))) == 2)
+    {
+      return;
+    }
+  }
+  if (std::popcount(attached) == 2 &&
+    keptTrianglesAtEdge(this->Kept, sharedEdge(this->Flow, tet), 3) > 2)
+  {
+    return;
+  }
+  this->removeTet(tet);
+  for (unsigned rest = attached; rest != 0; rest &= rest - 1)
+  {
+    this->removeSheet(4 * tet + static_cast<Facet>(std::countr_zero(rest)));
+  }
+}
+
+/// Removes [edge, triangle] when nothing else is kept at the edge.
+void WrapEditor::collapseTriangle(Facet facet)
+{
+  if (!this->Kept.isSheet(facet) || !this->Flow.isFree(facet))
+  {
+    return;
+  }
+  const Index apex = this->Flow.obtuseVertex(facet);
+  if (apex != kNone && keptTrianglesAtEdge(this->Kept, { facet, apex }, 2) == 1)
+  {
+    this->removeSheet(facet);
+  }
+}
+
+/// Counts the edge unless it is there already. Before the triangle is kept.
+void WrapEditor::meetEdge(EdgeOfTriangle edge)
+{
+  const bool isThere = keptTrianglesAtEdge(this->Kept, edge, 1) > 0 || this->isLine(edge);
+  this->Change.edges += isThere ? 0 : 1;
+}
+
+void WrapEditor::addSheet(Facet facet)
+{
+  if (this->Kept.keepsTriangle(facet))
+  {
+    return;
+  }
+  forEachEdge(this->Complex, facet, [&](EdgeOfTriangle edge) { this->meetEdge(edge); });
+  this->Kept.keepSheet(facet);
+  ++this->Change.triangles;
+  this->TouchedSheets.push_back(facet);
+}
+
+void WrapEditor::addTet(Index tet)
+{
+  if (this->Kept.keepsTet(tet))
+  {
+    return;
+  }
+  for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+  {
+    this->addSheet(facet);
+  }
+  this->Kept.keepTet(tet);
+  for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+  {
+    this->Kept.dropSheet(facet);
+  }
+  ++this->Change.tetrahedra;
+  this->TouchedTets.push_back(tet);
+}
+
+void WrapEditor::addLowerSet(Index tet, const WrapComplex* within, Execution& execution)
+{
+  this->addLowerSets({ tet }, {}, within, execution);
+}
+
+void WrapEditor::addLowerSetOfTriangle(Facet facet, const WrapComplex* within, Execution& execution)
+{
+  this->addLowerSets({}, { facet }, within, execution);
+}
+
+/// Adds each simplex of the lists, and to the lists the intervals that its faces belong to.
+void WrapEditor::addLowerSets(std::vector<Index> tets, std::vector<Facet> triangles,
+  const WrapComplex* within, Execution& execution)
+{
+  const auto listFaces = [&](Facet facet)
+  {
+    const Facet mirror = this->Complex.mirror[facet / 4][facet % 4];
+    if (mirror != kNone && this->Flow.isAttached(mirror))
+    {
+      tets.push_back(mirror / 4);
+    }
+    forEachEdge(this->Complex, facet,
+      [&](EdgeOfTriangle edge)
+      {
+        const EdgeInterval owner = intervalOfEdge(this->Flow, edge);
+        if (owner.tet != kNone)
+        {
+          tets.push_back(owner.tet);
+        }
+        if (owner.triangle != kNone)
+        {
+          triangles.push_back(owner.triangle);
+        }
+      });
+  };
+  std::size_t steps = 0;
+  while (!tets.empty() || !triangles.empty())
+  {
+    if (++steps % kStepsBetweenChecks == 0)
+    {
+      execution.step("edit", 0, 1);
+    }
+    if (!tets.empty())
+    {
+      const Index tet = tets.back();
+      tets.pop_back();
+      if (!this->Kept.keepsTet(tet) && (within == nullptr || within->keepsTet(tet)))
+      {
+        this->addTet(tet);
+        for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+        {
+          listFaces(facet);
+        }
+      }
+    }
+    else
+    {
+      const Facet facet = triangles.back();
+      triangles.pop_back();
+      if (!this->Kept.keepsTriangle(facet) && (within == nullptr || within->keepsTriangle(facet)))
+      {
+        this->addSheet(facet);
+        listFaces(facet);
+      }
+    }
+  }
+}
+
+} // namespace scan

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/wrap_complex.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace scan
+{
+
+/// An edge as that of a triangle, opposite to its vertex `apex`.
+struct EdgeOfTriangle
+{
+  Facet triangle;
+  Index apex;
+};
+
+/// The interval that an edge is the lower face of; both kNone when the edge is critical or the face
+/// of an interval with a lower face of its own.
+struct EdgeInterval
+{
+  Index tet = kNone;      ///< [edge, tetrahedron]
+  Facet triangle = kNone; ///< [edge, triangle], its canonical name
+};
+EdgeInterval intervalOfEdge(const FlowComplex& flow, EdgeOfTriangle edge);
+
+/// Calls visit(triangle, apex) for all triangles around an edge, each once, until it returns false.
+template <class Visit>
+void forEachTriangleAtEdge(const DelaunayComplex& complex, EdgeOfTriangle edge, Visit&& visit)
+{
+  const Facet start = edge.triangle;
+  if (!visit(start, edge.apex))
+  {
+    return;
+  }
+  const Facet startMirror = complex.mirror[start / 4][start % 4];
+  complex.walkWholeEdge(start, edge.apex,
+    [&](Facet entering, Facet leaving, Facet)
+    {
+      return leaving == start || leaving == startMirror ||
+        visit(leaving, complex.tetrahedra[entering / 4][entering % 4]);
+    });
+}
+
+/// Number of kept triangles at an edge, counted up to `most`.
+int keptTrianglesAtEdge(const WrapComplex& complex, EdgeOfTriangle edge, int most);
+
+/// By how much the numbers of kept simplices changed.
+struct WrapChange
+{
+  std::int64_t tetrahedra = 0;
+  std::int64_t triangles = 0;
+  std::int64_t edges = 0;
+
+  std::int64_t eulerCharacteristic() const
+  {
+    return this->triangles - this->edges - this->tetrahedra;
+  }
+};
+
+/// Removes and adds simplices of a subcomplex, keeps it closed and counts what changed. The cost is
+/// that of the surroundings of what changes, whatever the size of the complex.
+///
+/// Edges are kept as faces of triangles only, except for the lines given at the start: an edge that
+/// loses its last triangle goes with it.
+class WrapEditor
+{
+public:
+  /// @param lines edges that stay without a triangle, sorted by their vertices
+  WrapEditor(WrapComplex& complex, std::span<const CriticalEdge> lines);
+
+  /// Removes a kept tetrahedron; facets that nothing else is kept beside stay as sheets.
+  void removeTet(Index tet);
+
+  /// Removes a sheet, and its edges where no other triangle is left.
+  void removeSheet(Facet facet);
+
+  /// All collapses of intervals that became possible since the last call. What is left does not
+  /// depend on their order.
+  void collapse(Execution& execution);
+
+  /// Adds a tetrahedron or triangle with its faces and everything that collapses only after it: the
+  /// lower set of the radius function's relation. Only what `within` keeps, where that is given.
+  void addLowerSet(Index tet, const WrapComplex* within, Execution& execution);
+  void addLowerSetOfTriangle(Facet facet, const WrapComplex* within, Execution& execution);
+
+  /// Adds a tetrahedron or triangle with its faces, unless it is kept, and nothing else.
+  void addTet(Index tet);
+  void addSheet(Facet facet);
+
+  const WrapChange& change() const { return this->Change; }
+
+  /// Tetrahedra whose state changed, some perhaps twice or back again: the surface is as it was
+  /// elsewhere, except beside the sheets of touchedSheets().
+  const std::vector<Index>& touchedTets() const { return this->TouchedTets; }
+  const std::vector<Facet>& touchedSheets() const { return this->TouchedSheets; }
+
+private:
+  void collapseTet(Index tet);
+  void collapseTriangle(Facet facet);
+  void reviewEdge(EdgeOfTriangle edge);
+  void meetEdge(EdgeOfTriangle edge);
+  void addLowerSets(std::vector<Index> tets, std::vector<Facet> triangles,
+    const WrapComplex* within, Execution& execution);
+  bool isLine(EdgeOfTriangle edge) const;
+
+  WrapComplex& Kept;
+  const FlowComplex& Flow;
+  const DelaunayComplex& Complex;
+  std::span<const CriticalEdge> Lines;
+  WrapChange Change;
+  std::vector<Index> Tets;      ///< that may collapse now
+  std::vector<Facet> Triangles; ///< that may collapse now
+  std::vector<Index> TouchedTets;
+  std::vector<Facet> TouchedSheets;
+};
+
+} // namespace scan
