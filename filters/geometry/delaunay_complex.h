@@ -33,8 +33,9 @@ enum class EdgeWalk
 ///
 /// Cospherical points are triangulated as if each point p had weight -eps(p), the lexicographically
 /// largest point having the largest eps, each next one infinitely smaller: the complex depends on
-/// the points alone. Vertices are numbered along a Hilbert curve, tetrahedra by their smallest
-/// vertex: what is near in space is near in memory. All tetrahedra are positively oriented:
+/// the points alone. Vertices are numbered along a Hilbert curve, the vertices of a tetrahedron
+/// ascend or only the last two are exchanged, and tetrahedra are in lexicographic order: what is
+/// near in space is near in memory. All tetrahedra are positively oriented:
 /// (p1 - p0) x (p2 - p0) . (p3 - p0) > 0.
 class DelaunayComplex
 {
@@ -122,11 +123,11 @@ public:
   }
 };
 
-/// Builds the complex.
+/// Builds the complex, the same on any number of threads.
 /// @throws Error badInput for fewer than four points, points in one plane, or coordinates that are
 /// not finite or beyond 1e50; Cancelled within about a thousand insertions, input untouched.
-/// Reports phase "triangulate". Boissonnat, Devillers, Teillaud, Yvinec: CGAL's Delaunay
-/// triangulation; Amenta, Choi, Rote, "Incremental constructions con BRIO" (2003).
+/// Reports phase "triangulate". Scratch space 40 bytes a tetrahedron, 32 a point.
+/// Follows delaunay_insertion.h and delaunay_worker.h.
 DelaunayComplex buildDelaunayComplex(std::span<const Vec3> points, Execution& execution);
 
 } // namespace scan

@@ -1,0 +1,406 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/delaunay_worker.h"
+
+#include "filters/base/error.h"
+#include "filters/geometry/delaunay_predicates.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace scan
+{
+namespace
+{
+
+/// Corners of a triangle after the j-th: kNext[j], kNext[j + 1].
+constexpr std::array<int, 4> kNext{ 1, 2, 0, 1 };
+
+} // namespace
+
+DelaunayCells::DelaunayCells(std::span<const Vec3> all, std::array<Index, 4> corners)
+  : points(all)
+{
+  constexpr std::size_t kCellsPerPoint = 7; // of a scan; more are made room for later
+  this->makeRoom(kCellsPerPoint * all.size() + 8 * std::size_t{ kBlock });
+  if (orientation(all[corners[0]], all[corners[1]], all[corners[2]], all[corners[3]]) < 0)
+  {
+    std::swap(corners[0], corners[1]);
+  }
+  // cell 0 is the tetrahedron, cell 1 + k lies between its facet k and infinity
+  this->Used = 5;
+  this->cells[0].vertices = corners;
+  for (Index k = 0; k < 4; ++k)
+  {
+    const auto& f = kFacetVertices[k];
+    this->cells[1 + k].vertices = { corners[f[0]], corners[f[1]], corners[f[2]],
+      DelaunayCell::kInfinity };
+    this->cells[0].mirror[k] = 4 * (1 + k) + 3;
+    this->cells[1 + k].mirror[3] = k;
+    for (Facet i = 0; i < 3; ++i) // across the edge opposite f[i]: the cell at facet f[i]
+    {
+      const auto& other = kFacetVertices[f[i]];
+      const auto back = std::find(other.begin(), other.end(), static_cast<int>(k)) - other.begin();
+      this->cells[1 + k].mirror[i] = 4 * static_cast<Facet>(1 + f[i]) + static_cast<Facet>(back);
+    }
+  }
+}
+
+Index DelaunayCells::takeBlock()
+{
+  const Index first = this->Used.fetch_add(kBlock, std::memory_order_relaxed);
+  if (first + kBlock > this->cells.size())
+  {
+    this->Used.fetch_sub(kBlock, std::memory_order_relaxed);
+    return kNone;
+  }
+  for (Index cell = first; cell < first + kBlock; ++cell)
+  {
+    this->cells[cell].setFree(kNone);
+  }
+  return first;
+}
+
+void DelaunayCells::makeRoom(std::size_t more)
+{
+  const std::size_t needed = this->used() + more;
+  if (needed > this->cells.size())
+  {
+    if (needed > kNone / 4)
+    {
+      throw Error(ErrorCode::limit, "more than 2^30 tetrahedra; thin the scan first");
+    }
+    const std::size_t roomy =
+      std::min<std::size_t>(kNone / 4, std::max(needed, this->cells.size() / 4 * 5));
+    this->cells.resize(roomy);
+    this->marks.resize(roomy, 0);
+  }
+}
+
+inline Index DelaunayWorker::Numbering::operator()(Index vertex)
+{
+  for (Index place = vertex;; ++place)
+  {
+    Slot& slot = this->Slots[place % this->Slots.size()];
+    if (slot.round != this->Round)
+    {
+      if (this->Count < kMost)
+      {
+        slot = { vertex, this->Round, this->Count++ };
+        return slot.number;
+      }
+      return kMost;
+    }
+    if (slot.vertex == vertex)
+    {
+      return slot.number;
+    }
+  }
+}
+
+DelaunayWorker::DelaunayWorker(DelaunayCells& cells, unsigned number)
+  : All(cells)
+  , Held(static_cast<std::uint16_t>(2 * number + 1))
+  , InCavity(static_cast<std::uint16_t>(2 * number + 2))
+{
+}
+
+bool DelaunayWorker::insert(Index vertex, bool alone)
+{
+  this->Alone = alone;
+  this->Cavity.clear();
+  this->Rim.clear();
+  this->Boundary.clear();
+  this->Fresh.clear();
+  const Vec3& p = this->All.points[vertex];
+  Index first = kNone;
+  const bool done = this->locate(p, first) && this->findCavity(first, p) &&
+    this->haveFreeCells(this->Boundary.size());
+  if (done)
+  {
+    this->fillCavity(vertex);
+  }
+  this->release();
+  return done;
+}
+
+inline bool DelaunayWorker::acquire(Index cell)
+{
+  const std::atomic_ref mark(this->All.marks[cell]);
+  if (this->Alone)
+  {
+    mark.store(this->Held, std::memory_order_relaxed);
+    return true;
+  }
+  std::uint16_t nobody = 0;
+  return mark.load(std::memory_order_relaxed) == nobody &&
+    mark.compare_exchange_strong(
+      nobody, this->Held, std::memory_order_acquire, std::memory_order_relaxed);
+}
+
+inline void DelaunayWorker::setMark(Index cell, std::uint16_t mark)
+{
+  std::atomic_ref(this->All.marks[cell]).store(mark, std::memory_order_release);
+}
+
+/// Lets go of a cell for the next one; of both when that is held by another worker.
+inline bool DelaunayWorker::moveTo(Index& cell, Index next)
+{
+  const bool acquired = this->acquire(next);
+  this->setMark(cell, 0);
+  cell = next;
+  return acquired;
+}
+
+/// The facet, other than the one entered through, that parts the cell from p; -1 when p is inside.
+int DelaunayWorker::facetBefore(const DelaunayCell& cell, const Vec3& p, int entered) const
+{
+  std::array<Vec3, 4> to;
+  Extent extent;
+  for (int k = 0; k < 4; ++k)
+  {
+    to[k] = this->All.points[cell.vertices[k]] - p;
+    extent.cover(to[k]);
+  }
+  const double error = extent.allowsFilter() ? kVolumeError * extent.volume()
+                                             : std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 4; ++k)
+  {
+    if (k == entered)
+    {
+      continue;
+    }
+    const auto& f = kFacetVertices[k];
+    const double volume = dot(to[f[0]], cross(to[f[1]], to[f[2]]));
+    const auto corner = [&](int i) -> const Vec3& { return this->All.points[cell.vertices[f[i]]]; };
+    if (volume < -error || (volume <= error && orientation(corner(0), corner(1), corner(2), p) > 0))
+    {
+      return k;
+    }
+  }
+  return -1;
+}
+
+/// Walks from the last inserted point towards p; `found` is held then, and in conflict with p.
+bool DelaunayWorker::locate(const Vec3& p, Index& found)
+{
+  const auto cell = [&]() -> const DelaunayCell& { return this->All.cells[found]; };
+  found = this->Hint;
+  if (!this->acquire(found))
+  {
+    return false;
+  }
+  while (cell().isFree())
+  {
+    if (!this->moveTo(found, cell().mirror[0] / 4))
+    {
+      return false;
+    }
+  }
+  if (!cell().isTetrahedron() && !this->moveTo(found, cell().mirror[3] / 4))
+  {
+    return false;
+  }
+  for (int entered = -1; cell().isTetrahedron();)
+  {
+    const int next = this->facetBefore(cell(), p, entered);
+    if (next < 0)
+    {
+      return true;
+    }
+    const Facet beyond = cell().mirror[next];
+    if (!this->moveTo(found, beyond / 4))
+    {
+      return false;
+    }
+    entered = static_cast<int>(beyond % 4);
+  }
+  return true; // beyond a hull triangle
+}
+
+/// Is p inside the cell's circumsphere? At infinity that is the half space beyond the hull
+/// triangle; in its plane the tetrahedron behind decides, whose sphere meets the plane in the same
+/// circle.
+bool DelaunayWorker::inConflict(const DelaunayCell& cell, const Vec3& p) const
+{
+  const auto corner = [&](int k) { return &this->All.points[cell.vertices[k]]; };
+  if (cell.isTetrahedron())
+  {
+    return insideCircumsphere({ corner(0), corner(1), corner(2), corner(3) }, p);
+  }
+  const int side = orientation(*corner(0), *corner(1), *corner(2), p);
+  return side != 0 ? side > 0 : this->inConflict(this->All.cells[cell.mirror[3] / 4], p);
+}
+
+/// All cells in conflict with p hang together: spreads from the first one.
+bool DelaunayWorker::findCavity(Index first, const Vec3& p)
+{
+  const auto addToCavity = [&](Index cell)
+  {
+    std::atomic_ref(this->All.marks[cell]).store(this->InCavity, std::memory_order_relaxed);
+    this->Cavity.push_back(cell);
+  };
+  const DelaunayCell* const cells = this->All.cells.data();
+  addToCavity(first);
+  for (std::size_t i = 0; i < this->Cavity.size(); ++i)
+  {
+    const Index cell = this->Cavity[i];
+    for (Facet k = 0; k < 4; ++k)
+    {
+      const Index next = cells[cell].mirror[k] / 4;
+      const std::uint16_t mark =
+        std::atomic_ref(this->All.marks[next]).load(std::memory_order_relaxed);
+      if (mark == this->InCavity)
+      {
+        continue;
+      }
+      if (mark != this->Held)
+      {
+        if (!this->acquire(next))
+        {
+          return false;
+        }
+        if (this->inConflict(cells[next], p))
+        {
+          addToCavity(next);
+          continue;
+        }
+        this->Rim.push_back(next);
+      }
+      this->Boundary.push_back(4 * cell + k);
+    }
+  }
+  return true;
+}
+
+bool DelaunayWorker::haveFreeCells(std::size_t count)
+{
+  while (this->Free.size() < count)
+  {
+    if (this->Alone)
+    {
+      this->All.makeRoom(DelaunayCells::kBlock);
+    }
+    const Index block = this->All.takeBlock();
+    if (block == kNone)
+    {
+      return false;
+    }
+    for (Index cell = block + DelaunayCells::kBlock; cell-- > block;)
+    {
+      this->Free.push_back(cell);
+    }
+  }
+  return true;
+}
+
+/// Joins the vertex to the facets around the cavity.
+void DelaunayWorker::fillCavity(Index vertex)
+{
+  DelaunayCell* const cells = this->All.cells.data();
+  for (const Facet facet : this->Boundary)
+  {
+    const Index fresh = this->Free.back();
+    this->Free.pop_back();
+    while (!this->acquire(fresh)) // another worker still remembers it, and will let go at once
+    {
+    }
+    this->Fresh.push_back(fresh);
+    const Facet k = facet % 4;
+    const Facet outside = cells[facet / 4].mirror[k];
+    DelaunayCell& cell = cells[fresh];
+    cell.vertices = cells[facet / 4].vertices;
+    cell.vertices[k] = vertex;
+    cell.mirror[k] = outside;
+    cells[outside / 4].mirror[outside % 4] = 4 * fresh + k;
+    this->Hint = cell.isTetrahedron() ? fresh : this->Hint;
+  }
+  if (!this->linkThroughTable())
+  {
+    this->linkBySorting();
+  }
+  for (const Index cell : this->Cavity)
+  {
+    cells[cell].setFree(4 * this->Hint);
+    this->Free.push_back(cell);
+  }
+}
+
+/// Two new cells meet at each edge of the boundary. Facets there run along it in opposite
+/// directions. Returns false, without a change, when the cavity has too many vertices.
+bool DelaunayWorker::linkThroughTable()
+{
+  DelaunayCell* const cells = this->All.cells.data();
+  this->NumberOf.reset();
+  this->Corners.resize(this->Boundary.size());
+  for (std::size_t i = 0; i < this->Boundary.size(); ++i)
+  {
+    const auto& f = kFacetVertices[this->Boundary[i] % 4];
+    const Index fresh = this->Fresh[i];
+    auto& corner = this->Corners[i];
+    for (int j = 0; j < 3; ++j)
+    {
+      corner[j] = this->NumberOf(cells[fresh].vertices[f[j]]);
+      if (corner[j] == Numbering::kMost)
+      {
+        return false;
+      }
+    }
+    for (int j = 0; j < 3; ++j)
+    {
+      this->facetAt(corner[kNext[j]], corner[kNext[j + 1]]) = 4 * fresh + static_cast<Facet>(f[j]);
+    }
+  }
+  for (std::size_t i = 0; i < this->Boundary.size(); ++i)
+  {
+    const auto& f = kFacetVertices[this->Boundary[i] % 4];
+    const auto& corner = this->Corners[i];
+    for (int j = 0; j < 3; ++j)
+    {
+      cells[this->Fresh[i]].mirror[f[j]] = this->facetAt(corner[kNext[j + 1]], corner[kNext[j]]);
+    }
+  }
+  return true;
+}
+
+/// The same for any number of vertices.
+void DelaunayWorker::linkBySorting()
+{
+  DelaunayCell* const cells = this->All.cells.data();
+  std::vector<std::tuple<Index, Index, Facet>> edges;
+  for (std::size_t i = 0; i < this->Boundary.size(); ++i)
+  {
+    const auto& f = kFacetVertices[this->Boundary[i] % 4];
+    const Index fresh = this->Fresh[i];
+    for (int j = 0; j < 3; ++j)
+    {
+      const auto [low, high] =
+        std::minmax({ cells[fresh].vertices[f[kNext[j]]], cells[fresh].vertices[f[kNext[j + 1]]] });
+      edges.emplace_back(low, high, 4 * fresh + static_cast<Facet>(f[j]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); i += 2)
+  {
+    const Facet one = std::get<2>(edges[i]);
+    const Facet other = std::get<2>(edges[i + 1]);
+    cells[one / 4].mirror[one % 4] = other;
+    cells[other / 4].mirror[other % 4] = one;
+  }
+}
+
+void DelaunayWorker::release()
+{
+  for (const auto* held : { &this->Cavity, &this->Rim, &this->Fresh })
+  {
+    for (const Index cell : *held)
+    {
+      this->setMark(cell, 0);
+    }
+  }
+}
+
+} // namespace scan

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/geometry/delaunay_complex.h"
+#include "filters/geometry/large_array.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scan
+{
+
+/// A cell of a triangulation that grows: a tetrahedron, or what is between a triangle of the hull
+/// and infinity, or free.
+struct DelaunayCell
+{
+  static constexpr Index kInfinity = kNone - 1; ///< as a vertex; always the last one of a cell
+
+  std::array<Index, 4> vertices;
+  std::array<Facet, 4> mirror; ///< as in DelaunayComplex, never kNone
+
+  bool isFree() const { return this->vertices[3] == kNone; }
+  bool isTetrahedron() const { return this->vertices[3] < kInfinity; }
+  void setFree(Facet successor)
+  {
+    this->vertices[3] = kNone;
+    this->mirror[0] = successor;
+  }
+};
+
+/// The cells of a Delaunay triangulation that several workers enlarge at the same time.
+///
+/// Who holds the mark of a cell may read and change it, and read the vertices of its neighbours,
+/// which nobody can remove then. Free cells lead to a younger one, so that whoever remembers a
+/// cell finds to the triangulation.
+class DelaunayCells
+{
+public:
+  /// The triangulation of four points that are not in one plane, in any order.
+  DelaunayCells(std::span<const Vec3> points, std::array<Index, 4> corners);
+
+  std::span<const Vec3> points;     ///< distinct
+  LargeArray<DelaunayCell> cells;   ///< the first used() of them
+  std::vector<std::uint16_t> marks; ///< per cell: 0, or of the worker that holds it
+
+  Index used() const { return this->Used.load(std::memory_order_relaxed); }
+
+  static constexpr Index kBlock = 128;
+  /// The first of kBlock new free cells, kNone when there is no room for them.
+  Index takeBlock();
+  /// Makes room for `more` cells; only while no worker is at work.
+  /// @throws Error limit beyond 2^30.
+  void makeRoom(std::size_t more);
+
+private:
+  std::atomic<Index> Used{ 0 };
+};
+
+/// Inserts points one at a time: finds the cells whose circumspheres hold the point and replaces
+/// them by the cells between the point and their rim.
+/// Bowyer, "Computing Dirichlet tessellations" (1981); Watson (1981).
+class DelaunayWorker
+{
+public:
+  /// @param number of the worker, less than 30,000
+  DelaunayWorker(DelaunayCells& cells, unsigned number);
+
+  /// While others work: returns false, without a change, when one is in the way or room is short.
+  bool insertAmongOthers(Index vertex) { return this->insert(vertex, false); }
+  /// While nobody else works: always succeeds.
+  void insertAlone(Index vertex) { this->insert(vertex, true); }
+
+private:
+  /// Small numbers for the vertices of a cavity, in the order in which they are first met.
+  class Numbering
+  {
+  public:
+    static constexpr Index kMost = 64;
+
+    void reset()
+    {
+      ++this->Round;
+      this->Count = 0;
+    }
+    /// The vertex's number, kMost when there are too many.
+    Index operator()(Index vertex);
+
+  private:
+    struct Slot
+    {
+      Index vertex;
+      Index round; // when it was filled
+      Index number;
+    };
+    std::array<Slot, 4 * kMost> Slots{};
+    Index Round = 0;
+    Index Count = 0;
+  };
+
+  bool insert(Index vertex, bool alone);
+  bool acquire(Index cell);
+  void setMark(Index cell, std::uint16_t mark);
+  bool moveTo(Index& cell, Index next);
+  bool locate(const Vec3& p, Index& found);
+  int facetBefore(const DelaunayCell& cell, const Vec3& p, int entered) const;
+  bool inConflict(const DelaunayCell& cell, const Vec3& p) const;
+  bool findCavity(Index first, const Vec3& p);
+  bool haveFreeCells(std::size_t count);
+  void fillCavity(Index vertex);
+  bool linkThroughTable();
+  void linkBySorting();
+  Facet& facetAt(Index from, Index to) { return this->FacetAt[Numbering::kMost * from + to]; }
+  void release();
+
+  DelaunayCells& All;
+  const std::uint16_t Held;     // mark of cells around the cavity
+  const std::uint16_t InCavity; // mark of cells in it
+  bool Alone = true;
+  Index Hint = 0;
+  Numbering NumberOf;
+  std::array<Facet, Numbering::kMost * Numbering::kMost> FacetAt; // by the ends of its rim edge
+  std::vector<std::array<Index, 3>> Corners; // numbers of the corners of each facet
+  std::vector<Index> Free;
+  std::vector<Index> Cavity;
+  std::vector<Index> Rim;      // cells beside the cavity
+  std::vector<Facet> Boundary; // facets of the cavity, seen from inside
+  std::vector<Index> Fresh;    // per facet of the boundary: the new cell there
+};
+
+} // namespace scan
