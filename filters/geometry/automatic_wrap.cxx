@@ -5,38 +5,183 @@
 #include "filters/geometry/basin_refinement.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/fine_tune.h"
+#include "filters/geometry/mesh_checks.h"
+#include "filters/geometry/open_surface.h"
+#include "filters/geometry/outside_rooms.h"
 #include "filters/geometry/rooms.h"
 #include "filters/geometry/scan_spacing.h"
+#include "filters/geometry/signed_rooms.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace scan
 {
 namespace
 {
 
-/// The triangles between inside and outside, seen from inside.
-std::vector<Facet> cutOf(
-  const DelaunayComplex& complex, const std::vector<std::uint8_t>& inside, Execution& execution)
+constexpr double kExcessWeight = 0.2;
+constexpr double kDoubtShare = 0.003; // of the points: closed surfaces that cost less are taken
+constexpr double kClearShare = 0.001; // of the points: by so much an open surface must be better
+
+/// What both starts work on.
+struct Scan
 {
+  const FlowComplex& flow;
+  const Basins& basins;
+  const std::vector<float>& spacing;
+  bool fineTune;
+
+  const DelaunayComplex& complex() const { return this->flow.delaunay(); }
+};
+
+/// The triangles between inside and outside, seen from inside where they can be.
+std::vector<Facet> cutOf(const DelaunayComplex& complex, const OutsideRooms& outside,
+  const std::vector<std::uint8_t>& inside, Execution& execution)
+{
+  const auto isCut = [&](Facet facet, Index tet)
+  {
+    const Facet other = complex.mirror[tet][facet % 4];
+    if (other != kNone)
+    {
+      return inside[tet] && !inside[other / 4];
+    }
+    const Index room = outside.beyond(facet);
+    return room != kNone && inside[tet] != outside.side[room];
+  };
   return collect<Facet>(complex.tetCount(), execution,
     [&](Index tet, auto& found)
     {
-      for (int k = 0; inside[tet] && k < 4; ++k)
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
       {
-        const Index beyond = complex.neighbour(tet, k);
-        if (beyond == kNone || !inside[beyond])
+        if (isCut(facet, tet))
         {
-          found.push_back(4 * tet + static_cast<Facet>(k));
+          found.push_back(facet);
         }
       }
     });
+}
+
+/// Refines a start: a side for every basin and every room of the outside.
+AutomaticWrap refined(const Scan& scan, const std::vector<Wall>& walls, OutsideRooms outside,
+  std::vector<std::uint8_t> start, Execution& execution)
+{
+  const auto roomsBegin = start.begin() + scan.basins.count();
+  std::copy(roomsBegin, start.end(), outside.side.begin());
+  const std::vector<std::uint8_t> side =
+    refineBasins(scan.flow, scan.basins, walls, scan.spacing, std::move(start), execution);
+  AutomaticWrap wrap;
+  wrap.inside.resize(scan.complex().tetCount());
+  for (Index tet = 0; tet < scan.complex().tetCount(); ++tet)
+  {
+    wrap.inside[tet] = side[scan.basins.ofTet[tet]];
+  }
+  if (scan.fineTune)
+  {
+    wrap.inside = fineTune(scan.flow, scan.spacing, outside, std::move(wrap.inside), execution);
+  }
+  wrap.surface = cutOf(scan.complex(), outside, wrap.inside, execution);
+  return wrap;
+}
+
+AutomaticWrap closedWrap(const Scan& scan, const std::vector<Wall>& walls, Execution& execution)
+{
+  std::vector<std::uint8_t> start = persistentRooms(scan.flow, scan.basins, walls, execution);
+  start.push_back(0); // the outside
+  return refined(scan, walls, oneOutside(scan.complex(), execution), std::move(start), execution);
+}
+
+AutomaticWrap openWrap(const Scan& scan, std::vector<Wall> walls, Execution& execution)
+{
+  const OutsideRooms outside = denseOutside(scan.complex(), scan.spacing, execution);
+  const Index basinCount = scan.basins.count();
+  std::erase_if(walls,
+    [&](Wall& wall)
+    {
+      const bool onHull = wall.b == basinCount;
+      const Index room = onHull ? outside.beyond(wall.facet) : 0;
+      wall.b += room != kNone ? room : 0;
+      return room == kNone;
+    });
+  std::vector<std::uint8_t> start =
+    signedRooms(scan.flow, scan.basins, walls, basinCount + outside.count(), execution);
+  AutomaticWrap wrap = refined(scan, walls, outside, std::move(start), execution);
+  std::vector<Facet> shown = withoutOpenings(scan.complex(), scan.spacing, wrap.surface);
+  wrap.isOpen = true;
+  wrap.openingTriangles = static_cast<Index>(wrap.surface.size() - shown.size());
+  wrap.surface = std::move(shown);
+  return wrap;
+}
+
+TriMesh meshOf(const DelaunayComplex& complex, const AutomaticWrap& wrap)
+{
+  TriMesh mesh{ complex.points, {} };
+  mesh.triangles.reserve(wrap.surface.size());
+  for (const Facet facet : wrap.surface)
+  {
+    mesh.triangles.push_back(outwardVertices(complex, wrap, facet));
+  }
+  return mesh;
+}
+
+double excessOf(const Scan& scan, const AutomaticWrap& wrap)
+{
+  double excess = 0.0;
+  for (const Facet facet : wrap.surface)
+  {
+    excess += static_cast<double>(
+      excessSize(scan.complex(), scan.spacing, scan.complex().facetVertices(facet)));
+  }
+  return excess;
+}
+
+/// Whether a closed surface is so far from covering every point by one surface without webs that an
+/// open one may do better; spares the second start where it would only cost time.
+bool mayBeOpen(const Scan& scan, const AutomaticWrap& closed)
+{
+  std::vector<std::uint8_t> covered(scan.complex().points.size(), 0);
+  for (const Facet facet : closed.surface)
+  {
+    for (const Index v : scan.complex().facetVertices(facet))
+    {
+      covered[v] = 1;
+    }
+  }
+  const auto points = static_cast<double>(std::count(covered.begin(), covered.end(), 1));
+  const double missed = static_cast<double>(covered.size()) - points;
+  const double euler = points - 0.5 * static_cast<double>(closed.surface.size());
+  const double cost = missed + std::abs(2.0 - euler) + kExcessWeight * excessOf(scan, closed);
+  return cost > kDoubtShare * static_cast<double>(covered.size());
+}
+
+/// The objective on what is shown, without the reward for crumbs, whose Euler characteristic is
+/// that of a sphere each: V - components - 2 handles - B / 2 - 0.2 excess, less half a point for
+/// every non-manifold edge; B edges are rims.
+double scoreOf(const Scan& scan, const AutomaticWrap& wrap)
+{
+  const MeshReport mesh = describeMesh(meshOf(scan.complex(), wrap));
+  const auto components = static_cast<double>(mesh.components.size());
+  const double handles = components -
+    0.5 *
+      static_cast<double>(mesh.eulerCharacteristic + static_cast<std::int64_t>(mesh.boundaryLoops));
+  return static_cast<double>(mesh.pointsUsed) - components - 2.0 * std::abs(handles) -
+    0.5 * mesh.boundaryEdges - 0.5 * mesh.nonManifoldEdges - kExcessWeight * excessOf(scan, wrap);
 }
 
 } // namespace
 
 std::vector<Phase> automaticWrapPhases(const AutomaticWrapOptions& options)
 {
-  std::vector<Phase> phases{ { "edges", 1.0 }, { "walls", 0.3 }, { "rooms", 1.0 },
-    { "refine", 2.0 } };
+  std::vector<Phase> phases{ { "edges", 1.0 }, { "walls", 0.3 } };
+  if (options.opening != Opening::keep)
+  {
+    phases.push_back({ "rooms", 1.0 });
+  }
+  if (options.opening != Opening::cap)
+  {
+    phases.push_back({ "sides", 0.5 });
+  }
+  phases.push_back({ "refine", 2.0 });
   if (options.fineTune)
   {
     phases.push_back({ "fine-tune", 1.0 });
@@ -47,24 +192,21 @@ std::vector<Phase> automaticWrapPhases(const AutomaticWrapOptions& options)
 AutomaticWrap wrapAutomatically(const FlowComplex& flow, const Basins& basins,
   const AutomaticWrapOptions& options, Execution& execution)
 {
-  const DelaunayComplex& complex = flow.delaunay();
   const std::vector<float> spacing = localSpacing(flow, execution);
   const std::vector<Wall> walls = findWalls(flow, basins, execution);
-  const std::vector<std::uint8_t> insideBasin = refineBasins(
-    flow, basins, walls, spacing, persistentRooms(flow, basins, walls, execution), execution);
-
-  AutomaticWrap wrap;
-  wrap.inside.resize(complex.tetCount());
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
+  const Scan scan{ flow, basins, spacing, options.fineTune };
+  if (options.opening == Opening::keep)
   {
-    wrap.inside[tet] = insideBasin[basins.ofTet[tet]];
+    return openWrap(scan, walls, execution);
   }
-  if (options.fineTune)
+  AutomaticWrap closed = closedWrap(scan, walls, execution);
+  if (options.opening == Opening::cap || !mayBeOpen(scan, closed))
   {
-    wrap.inside = fineTune(flow, spacing, std::move(wrap.inside), execution);
+    return closed;
   }
-  wrap.surface = cutOf(complex, wrap.inside, execution);
-  return wrap;
+  AutomaticWrap open = openWrap(scan, walls, execution);
+  const double margin = kClearShare * static_cast<double>(scan.complex().points.size());
+  return scoreOf(scan, open) > scoreOf(scan, closed) + margin ? open : closed;
 }
 
 } // namespace scan

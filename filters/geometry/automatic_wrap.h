@@ -11,9 +11,18 @@
 namespace scan
 {
 
+/// What becomes of the openings of a scan.
+enum class Opening
+{
+  automatic, ///< of the closed and the open result the better one
+  keep,      ///< true openings stay open
+  cap        ///< always closed
+};
+
 struct AutomaticWrapOptions
 {
   bool fineTune = true; ///< flip single tetrahedra at the end; else whole basins only
+  Opening opening = Opening::automatic;
 };
 
 /// A labelling of the tetrahedra and the surface between the labels.
@@ -22,13 +31,32 @@ struct AutomaticWrap
   std::vector<std::uint8_t> inside; ///< per tetrahedron, 0 or 1
   std::vector<Facet> surface;       ///< in increasing order; each seen from its inside, so that
                                     ///< facetVertices() face outward
+  bool isOpen = false;              ///< from the signed start: the surface may have boundary
+  Index openingTriangles = 0;       ///< cut triangles that span openings and are not shown
 };
+
+/// A triangle of the surface, counter-clockwise seen from outside. One on the convex hull may have
+/// its inside beyond the hull: it faces into its tetrahedron.
+inline Triangle outwardVertices(
+  const DelaunayComplex& complex, const AutomaticWrap& wrap, Facet facet)
+{
+  const Triangle v = complex.facetVertices(facet);
+  return wrap.inside[facet / 4] ? v : Triangle{ v[0], v[2], v[1] };
+}
 
 /// The phases that wrapAutomatically() reports, for Execution::plan.
 std::vector<Phase> automaticWrapPhases(const AutomaticWrapOptions& options);
 
-/// Finds the surface of a scan by one objective over its basins: persistent rooms, refined coarse
-/// to fine, then tetrahedron by tetrahedron. Deterministic on any number of threads.
+/// Finds the surface of a scan by one objective over its basins, refined coarse to fine, then
+/// tetrahedron by tetrahedron. Persistent rooms start a closed surface. Where that leaves out
+/// points, spans webs or has many handles, the two sides of a sheet (signed_rooms.h) start an open
+/// one; the better one wins by
+///
+///   F = V - components - 2 handles - B / 2 - N / 2 - 0.2 * excess size
+///
+/// of what is shown: V points, B rim edges, N non-manifold edges; handles with every rim capped. An
+/// open result has to be better by a thousandth of the points. Deterministic on any number of
+/// threads.
 AutomaticWrap wrapAutomatically(const FlowComplex& flow, const Basins& basins,
   const AutomaticWrapOptions& options, Execution& execution);
 

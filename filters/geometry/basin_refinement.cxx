@@ -3,6 +3,7 @@
 #include "filters/geometry/basin_refinement.h"
 
 #include "filters/geometry/cut_cover.h"
+#include "filters/geometry/facet_radius.h"
 #include "filters/geometry/incidence.h"
 #include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/union_find.h"
@@ -27,7 +28,7 @@ struct MeasuredWall
 {
   Triangle vertices;
   Index a;
-  Index b; ///< the outside is the number after the last basin
+  Index b; ///< numbers after the last basin stand for rooms of the outside
   float excess;
   float doorRatio; ///< smaller of the two sizes / radius of the triangle; infinite on the hull
 };
@@ -45,15 +46,10 @@ std::vector<MeasuredWall> measure(const FlowComplex& flow, const Basins& basins,
         const auto& [facet, a, b] = walls[w];
         const Triangle v = complex.facetVertices(facet);
         float doorRatio = std::numeric_limits<float>::infinity();
-        if (b != basins.count())
+        if (b < basins.count())
         {
-          // the radius function: an attached facet has the radius of its tetrahedron
-          const double radius2 = flow.isAttached(facet) ? circumradiusSquared(complex, facet / 4)
-            : flow.isFree(facet)                        ? circumradiusSquared(complex, v)
-                                                        : circumradiusSquared(complex,
-                                                            complex.neighbour(facet / 4, static_cast<int>(facet % 4)));
-          doorRatio =
-            static_cast<float>(std::min(basins.size[a], basins.size[b]) / std::sqrt(radius2));
+          doorRatio = static_cast<float>(
+            std::min(basins.size[a], basins.size[b]) / std::sqrt(facetRadiusSquared(flow, facet)));
         }
         measured[w] = { v, a, b, excessSize(complex, spacing, v), doorRatio };
       }
@@ -97,9 +93,10 @@ public:
   BasinRefinement(const Basins& basins, std::vector<MeasuredWall> walls, std::size_t pointCount,
     std::vector<std::uint8_t> inside)
     : Sizes(basins.size)
-    , Outside(basins.count())
+    , BasinCount(basins.count())
+    , RoomCount(static_cast<Index>(inside.size()))
     , Walls(std::move(walls))
-    , WallsOfBasin(Outside + 1, Walls.size(),
+    , WallsOfBasin(RoomCount, Walls.size(),
         [&](std::size_t w, auto&& visit)
         {
           visit(this->Walls[w].a);
@@ -110,11 +107,10 @@ public:
         { std::for_each(this->Walls[w].vertices.begin(), this->Walls[w].vertices.end(), visit); })
     , Inside(std::move(inside))
     , Cover(pointCount)
-    , Touched(Outside + 1, 0)
-    , Trials(Outside)
-    , Group(Outside + 1)
+    , Touched(RoomCount, 0)
+    , Trials(BasinCount)
+    , Group(RoomCount)
   {
-    this->Inside.push_back(0);
     for (const MeasuredWall& wall : this->Walls)
     {
       if (this->isCut(wall))
@@ -141,11 +137,7 @@ public:
     return flipped;
   }
 
-  std::vector<std::uint8_t> takeLabels()
-  {
-    this->Inside.pop_back();
-    return std::move(this->Inside);
-  }
+  std::vector<std::uint8_t> takeLabels() { return std::move(this->Inside); }
 
 private:
   /// A group that was tried in vain: when neither its members nor anything around it changed
@@ -166,7 +158,7 @@ private:
   void takeCensus()
   {
     this->CensusTime = ++this->Clock;
-    this->CensusOfBasin.assign(this->Outside + 1, {});
+    this->CensusOfBasin.assign(this->RoomCount, {});
     this->UncutWalls.clear();
     // of all basins at a point's cut triangles, the at most two that are at every one of them
     std::vector<std::array<Index, 2>> owners(this->Cover.pointCount(), { kNone, kNone });
@@ -213,7 +205,7 @@ private:
   /// Joins basins of equal label; a group is named by its first basin.
   void formGroups(float level)
   {
-    UnionFind sets(this->Outside + 1);
+    UnionFind sets(this->RoomCount);
     for (const Index w : this->UncutWalls)
     {
       const MeasuredWall& wall = this->Walls[w];
@@ -224,16 +216,16 @@ private:
         sets.join(std::min(a, b), std::max(a, b));
       }
     }
-    for (Index basin = 0; basin <= this->Outside; ++basin)
+    for (Index basin = 0; basin < this->RoomCount; ++basin)
     {
       this->Group[basin] = sets.root(basin);
     }
-    this->Members = Incidence(this->Outside + 1, this->Outside,
+    this->Members = Incidence(this->RoomCount, this->BasinCount,
       [&](std::size_t basin, auto&& visit) { visit(this->Group[basin]); });
-    this->CensusOfGroup.assign(this->Outside + 1, {});
-    std::vector<double> size(this->Outside + 1, 0.0);
+    this->CensusOfGroup.assign(this->RoomCount, {});
+    std::vector<double> size(this->RoomCount, 0.0);
     this->GroupsBySize.clear();
-    for (Index basin = 0; basin < this->Outside; ++basin)
+    for (Index basin = 0; basin < this->BasinCount; ++basin)
     {
       const Index group = this->Group[basin];
       const Census& own = this->CensusOfBasin[basin];
@@ -340,7 +332,8 @@ private:
   }
 
   const std::vector<double>& Sizes;
-  Index Outside; ///< the number after the last basin
+  Index BasinCount;
+  Index RoomCount; ///< basins and rooms of the outside
   std::vector<MeasuredWall> Walls;
   Incidence WallsOfBasin;
   Incidence WallsOfPoint;

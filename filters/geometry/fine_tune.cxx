@@ -17,24 +17,27 @@ namespace
 
 constexpr double kExcessWeight = 0.2;
 constexpr double kNonManifoldWeight = 0.5;
+constexpr double kRimWeight = 1.0; // an edge where the cut ends at the hull
 constexpr double kLeastGain = 1e-9;
 
 class FineTuning
 {
 public:
   FineTuning(const DelaunayComplex& complex, const std::vector<float>& spacing,
-    std::vector<std::uint8_t> inside)
+    const OutsideRooms& outside, std::vector<std::uint8_t> inside)
     : Complex(complex)
     , Spacing(spacing)
+    , Outside(outside)
     , Inside(std::move(inside))
-    , Cover(complex.points.size())
-    , Queued(complex.tetCount(), 0)
+    , Cover(Complex.points.size())
+    , Queued(Complex.tetCount(), 0)
   {
-    for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+    for (Facet facet = 0; facet < 4 * this->Complex.tetCount(); ++facet)
     {
-      if (this->Inside[facet / 4] && this->isCut(facet)) // each cut triangle once
+      const Facet other = this->Complex.mirror[facet / 4][facet % 4];
+      if (facet < other && this->isCut(facet)) // each cut triangle once
       {
-        this->Cover.count(complex.facetVertices(facet), +1);
+        this->Cover.count(this->Complex.facetVertices(facet), +1);
       }
     }
   }
@@ -76,8 +79,13 @@ public:
 private:
   bool isCut(Facet facet) const
   {
-    const Index beyond = this->Complex.neighbour(facet / 4, static_cast<int>(facet % 4));
-    return this->Inside[facet / 4] != (beyond == kNone ? 0 : this->Inside[beyond]);
+    const Facet other = this->Complex.mirror[facet / 4][facet % 4];
+    if (other != kNone)
+    {
+      return this->Inside[facet / 4] != this->Inside[other / 4];
+    }
+    const Index room = this->Outside.beyond(facet);
+    return room != kNone && this->Inside[facet / 4] != this->Outside.side[room];
   }
 
   unsigned cutFacets(Index tet) const // bit k: facet k is cut
@@ -90,6 +98,20 @@ private:
     return cut;
   }
 
+  /// The facets that may be cut.
+  unsigned cuttableFacets(Index tet) const
+  {
+    unsigned cuttable = 0xF;
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      if (this->Complex.mirror[tet][k] == kNone && this->Outside.beyond(4 * tet + k) == kNone)
+      {
+        cuttable &= ~(1U << k);
+      }
+    }
+    return cuttable;
+  }
+
   /// What the objective gains by flipping the tetrahedron.
   double gain(Index tet) const
   {
@@ -98,68 +120,69 @@ private:
     {
       return 0.0;
     }
-    const int count = std::popcount(cut);
+    const unsigned entering = this->cuttableFacets(tet) & ~cut;
+    const int leave = std::popcount(cut);
     int points = 0;
     for (unsigned k = 0; k < 4; ++k)
     {
-      // of the three facets at vertex k those that are cut leave the cut, the others enter
-      const int leave = std::popcount(cut & ~(1U << k));
       const int before = this->Cover.cutTriangles(this->Complex.tetrahedra[tet][k]);
-      points += (before + 3 - 2 * leave > 0) - (before > 0);
+      points += (before + changeAt(k, cut, entering) > 0) - (before > 0);
     }
-    double gain = 2.0 * points - 0.5 * (4 - 2 * count);
-    // only edges between two cut facets can stop being non-manifold: none, 1, 3 or 6 of them
+    double gain = 2.0 * points - 0.5 * (std::popcount(entering) - leave);
+    // only edges between two facets that do not enter can stop being non-manifold
     constexpr std::array kEdgesBetween{ 0, 0, 1, 3, 6 };
-    const double most = gain + kNonManifoldWeight * kEdgesBetween[count];
-    double excessLost = 0.0;
-    double excessMade = 0.0;
-    for (unsigned k = 0; k < 4; ++k)
-    {
-      if (cut >> k & 1U)
-      {
-        excessLost += this->excess(4 * tet + k);
-      }
-    }
+    const int stay = 4 - std::popcount(entering) - leave; // free facets of the hull
+    const double most = gain + kNonManifoldWeight * kEdgesBetween[4 - std::popcount(entering)] +
+      kRimWeight * stay * (4 - stay);
+    const double excessLost = this->excess(tet, cut);
     if (most + kExcessWeight * excessLost <= kLeastGain)
     {
       return 0.0;
     }
-    for (unsigned k = 0; k < 4; ++k)
-    {
-      if (!(cut >> k & 1U))
-      {
-        excessMade += this->excess(4 * tet + k);
-      }
-    }
-    const double change = kExcessWeight * (excessLost - excessMade);
+    const double change = kExcessWeight * (excessLost - this->excess(tet, entering));
     if (most + change <= kLeastGain)
     {
       return 0.0;
     }
-    return gain + change - kNonManifoldWeight * this->nonManifoldEdgesMade(tet, cut);
+    return gain + change - this->edgeCost(tet, cut, entering);
   }
 
-  double excess(Facet facet) const
+  /// Change in the number of cut triangles at vertex k, whose facets are the other three.
+  static int changeAt(unsigned k, unsigned leaving, unsigned entering)
   {
-    return static_cast<double>(
-      excessSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)));
+    return std::popcount(entering & ~(1U << k)) - std::popcount(leaving & ~(1U << k));
   }
 
-  /// Change in the number of edges with more than two cut triangles.
-  int nonManifoldEdgesMade(Index tet, unsigned cut) const
+  /// Excess size of some of a tetrahedron's facets.
+  double excess(Index tet, unsigned facets) const
   {
-    int made = 0;
+    double sum = 0.0;
+    for (; facets != 0; facets &= facets - 1)
+    {
+      const Facet facet = 4 * tet + static_cast<Facet>(std::countr_zero(facets));
+      sum += static_cast<double>(
+        excessSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)));
+    }
+    return sum;
+  }
+
+  /// Change in the cost of edges with more than two cut triangles and of rims.
+  double edgeCost(Index tet, unsigned leaving, unsigned entering) const
+  {
+    const auto changeOf = [&](unsigned k)
+    { return static_cast<int>(entering >> k & 1U) - static_cast<int>(leaving >> k & 1U); };
+    const auto cost = [](int triangles) {
+      return (triangles > 2 ? kNonManifoldWeight : 0.0) + (triangles % 2 != 0 ? kRimWeight : 0.0);
+    };
+    double made = 0.0;
     for (unsigned i = 0; i < 4; ++i)
     {
       for (unsigned j = i + 1; j < 4; ++j)
       {
-        // the edge between facets i and j gains or loses two cut triangles, or swaps one
-        const unsigned both = (cut >> i & 1U) + (cut >> j & 1U);
-        if (both != 1)
+        if (const int change = changeOf(i) + changeOf(j); change != 0)
         {
           const int before = this->cutTrianglesAround(tet, i, j);
-          const int after = both == 2 ? before - 2 : before + 2;
-          made += (after > 2) - (before > 2);
+          made += cost(before + change) - cost(before);
         }
       }
     }
@@ -186,10 +209,10 @@ private:
   void flip(Index tet)
   {
     const unsigned cut = this->cutFacets(tet);
+    const unsigned entering = this->cuttableFacets(tet) & ~cut;
     for (unsigned k = 0; k < 4; ++k)
     {
-      const int leave = std::popcount(cut & ~(1U << k));
-      this->Cover.count(this->Complex.tetrahedra[tet][k], 3 - 2 * leave);
+      this->Cover.count(this->Complex.tetrahedra[tet][k], changeAt(k, cut, entering));
     }
     this->Inside[tet] ^= 1U;
   }
@@ -229,6 +252,7 @@ private:
 
   const DelaunayComplex& Complex;
   const std::vector<float>& Spacing;
+  const OutsideRooms& Outside;
   std::vector<std::uint8_t> Inside;
   CutCover Cover;
   std::vector<std::uint8_t> Queued;
@@ -238,10 +262,10 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<float>& spacing,
-  std::vector<std::uint8_t> inside, Execution& execution)
+  const OutsideRooms& outside, std::vector<std::uint8_t> inside, Execution& execution)
 {
   execution.step("fine-tune", 0, 3);
-  FineTuning tuning(flow.delaunay(), spacing, std::move(inside));
+  FineTuning tuning(flow.delaunay(), spacing, outside, std::move(inside));
   execution.step("fine-tune", 1, 3);
   std::vector<Index> candidates = tuning.findCandidates(execution);
   while (!candidates.empty())

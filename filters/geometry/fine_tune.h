@@ -4,6 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/flow_complex.h"
+#include "filters/geometry/outside_rooms.h"
 
 #include <cstdint>
 #include <vector>
@@ -12,10 +13,10 @@ namespace scan
 {
 
 /// Flips single tetrahedra at the cut while the objective F of basin_refinement.h grows, taken with
-/// mu = 0.2 and less half a point for every non-manifold edge.
+/// mu = 0.2 and less half a point for every non-manifold edge, one for every rim edge.
 /// @param inside per tetrahedron, 0 or 1; @return the refined labels
 /// Only tetrahedra whose surroundings changed are asked again. Reports phase "fine-tune".
 std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<float>& spacing,
-  std::vector<std::uint8_t> inside, Execution& execution);
+  const OutsideRooms& outside, std::vector<std::uint8_t> inside, Execution& execution);
 
 } // namespace scan

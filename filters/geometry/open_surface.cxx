@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/open_surface.h"
+
+#include "filters/geometry/flow_complex.h"
+#include "filters/geometry/half_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <queue>
+
+namespace scan
+{
+namespace
+{
+
+constexpr double kSparse = 4.0;       // circumradius / spacing
+constexpr double kOpeningArea = 40.0; // area / spacing^2
+constexpr double kRimSize = 3.0;      // circumradius / spacing beside a rim
+
+/// A triangle measured by the largest local spacing at its vertices.
+struct Measure
+{
+  float radius; ///< circumradius / spacing
+  float area;   ///< area / spacing^2
+};
+
+Measure measure(
+  const DelaunayComplex& complex, const std::vector<float>& spacing, const Triangle& v)
+{
+  const double h = std::max({ spacing[v[0]], spacing[v[1]], spacing[v[2]] });
+  const Vec3& p = complex.points[v[0]];
+  const Vec3 normal = cross(complex.points[v[1]] - p, complex.points[v[2]] - p);
+  return { static_cast<float>(std::sqrt(circumradiusSquared(complex, v)) / h),
+    static_cast<float>(0.5 * std::sqrt(dot(normal, normal)) / (h * h)) };
+}
+
+class OpenSurface
+{
+public:
+  OpenSurface(const DelaunayComplex& complex, const std::vector<float>& spacing,
+    const std::vector<Facet>& facets)
+    : Shown(facets.size(), 1)
+    , RimEdges(complex.points.size(), 0)
+  {
+    this->Mesh.points = complex.points;
+    for (const Facet facet : facets)
+    {
+      this->Mesh.triangles.push_back(complex.facetVertices(facet));
+      this->Measures.push_back(measure(complex, spacing, this->Mesh.triangles.back()));
+    }
+    EdgePairs pairs = pairEdges(this->Mesh);
+    this->Mate = std::move(pairs.mate);
+    for (const Index half : pairs.crowded)
+    {
+      this->Mate[half] = half; // no rim
+    }
+  }
+
+  void dropOpenings()
+  {
+    std::vector<std::uint8_t> seen(this->Shown.size(), 0);
+    for (Index t = 0; t < seen.size(); ++t)
+    {
+      if (!seen[t] && this->isSparse(t))
+      {
+        this->dropIfOpening(t, seen);
+      }
+    }
+  }
+
+  /// Collapses large triangles from the rims.
+  void trimRims()
+  {
+    for (Index half = 0; half < this->Mate.size(); ++half)
+    {
+      if (this->Shown[half / 3] && this->isRim(half))
+      {
+        ++this->RimEdges[originOf(this->Mesh, half)];
+        ++this->RimEdges[originOf(this->Mesh, nextHalf(half))];
+        this->queueTriangle(half / 3);
+      }
+    }
+    while (!this->Queue.empty())
+    {
+      const Index t = this->Queue.top().second;
+      this->Queue.pop();
+      this->trim(t);
+    }
+  }
+
+  std::vector<Facet> shown(const std::vector<Facet>& facets) const
+  {
+    std::vector<Facet> kept;
+    for (std::size_t t = 0; t < facets.size(); ++t)
+    {
+      if (this->Shown[t])
+      {
+        kept.push_back(facets[t]);
+      }
+    }
+    return kept;
+  }
+
+private:
+  bool isSparse(Index t) const { return static_cast<double>(this->Measures[t].radius) > kSparse; }
+
+  /// For a half-edge of a shown triangle.
+  bool isRim(Index half) const
+  {
+    const Index mate = this->Mate[half];
+    return mate == kNone || !this->Shown[mate / 3];
+  }
+
+  /// Drops the sparse triangles that hang together with t if they span an opening.
+  void dropIfOpening(Index t, std::vector<std::uint8_t>& seen)
+  {
+    std::vector<Index> piece{ t };
+    seen[t] = 1;
+    bool reachesRim = false;
+    double area = 0.0;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+    {
+      area += static_cast<double>(this->Measures[piece[i]].area);
+      for (Index half = 3 * piece[i]; half < 3 * piece[i] + 3; ++half)
+      {
+        const Index mate = this->Mate[half];
+        reachesRim |= mate == kNone;
+        if (mate != kNone && !seen[mate / 3] && this->isSparse(mate / 3))
+        {
+          seen[mate / 3] = 1;
+          piece.push_back(mate / 3);
+        }
+      }
+    }
+    for (const Index of : piece)
+    {
+      this->Shown[of] = !reachesRim && area <= kOpeningArea;
+    }
+  }
+
+  void queueTriangle(Index t)
+  {
+    if (static_cast<double>(this->Measures[t].radius) > kRimSize)
+    {
+      this->Queue.emplace(this->Measures[t].radius, t);
+    }
+  }
+
+  /// Drops a triangle with one edge on the rim and the opposite vertex off it.
+  void trim(Index t)
+  {
+    Index rim = kNone;
+    int count = 0;
+    for (Index half = 3 * t; half < 3 * t + 3; ++half)
+    {
+      if (this->isRim(half))
+      {
+        rim = half;
+        ++count;
+      }
+    }
+    const Index apex = count == 1 ? originOf(this->Mesh, previousHalf(rim)) : kNone;
+    if (!this->Shown[t] || count != 1 || this->RimEdges[apex] > 0)
+    {
+      return;
+    }
+    this->Shown[t] = 0;
+    this->RimEdges[apex] += 2;
+    for (const Index half : { nextHalf(rim), previousHalf(rim) })
+    {
+      this->queueTriangle(this->Mate[half] / 3);
+    }
+  }
+
+  TriMesh Mesh;
+  std::vector<Measure> Measures;
+  std::vector<Index> Mate; ///< per half-edge; itself where more than two triangles meet
+  std::vector<std::uint8_t> Shown;
+  std::vector<Index> RimEdges;                        ///< per point
+  std::priority_queue<std::pair<float, Index>> Queue; ///< largest first
+};
+
+} // namespace
+
+std::vector<Facet> withoutOpenings(const DelaunayComplex& complex,
+  const std::vector<float>& spacing, const std::vector<Facet>& facets)
+{
+  OpenSurface surface(complex, spacing, facets);
+  surface.dropOpenings();
+  surface.trimRims();
+  return surface.shown(facets);
+}
+
+} // namespace scan

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/outside_rooms.h"
+
+#include "filters/geometry/collect.h"
+#include "filters/geometry/half_edges.h"
+#include "filters/geometry/open_surface.h"
+#include "filters/geometry/union_find.h"
+
+#include <algorithm>
+
+namespace scan
+{
+namespace
+{
+
+std::vector<Facet> hullFacets(const DelaunayComplex& complex, Execution& execution)
+{
+  return collect<Facet>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      {
+        if (complex.mirror[tet][facet % 4] == kNone)
+        {
+          found.push_back(facet);
+        }
+      }
+    });
+}
+
+} // namespace
+
+OutsideRooms oneOutside(const DelaunayComplex& complex, Execution& execution)
+{
+  OutsideRooms outside;
+  outside.facets = hullFacets(complex, execution);
+  outside.room.assign(outside.facets.size(), 0);
+  outside.side.assign(1, 0);
+  return outside;
+}
+
+OutsideRooms denseOutside(
+  const DelaunayComplex& complex, const std::vector<float>& spacing, Execution& execution)
+{
+  OutsideRooms outside;
+  outside.facets = withoutOpenings(complex, spacing, hullFacets(complex, execution));
+  TriMesh hull{ complex.points, {} };
+  for (const Facet facet : outside.facets)
+  {
+    hull.triangles.push_back(complex.facetVertices(facet));
+  }
+  const std::vector<Index> mate = pairEdges(hull).mate;
+  UnionFind pieces(outside.facets.size());
+  for (Index half = 0; half < mate.size(); ++half)
+  {
+    if (mate[half] != kNone)
+    {
+      const Index a = pieces.root(half / 3);
+      const Index b = pieces.root(mate[half] / 3);
+      pieces.join(std::min(a, b), std::max(a, b));
+    }
+  }
+  outside.room.resize(outside.facets.size());
+  for (Index f = 0; f < outside.facets.size(); ++f)
+  {
+    const Index first = pieces.root(f);
+    if (first == f)
+    {
+      outside.room[f] = outside.count();
+      outside.side.push_back(0);
+    }
+    outside.room[f] = outside.room[first];
+  }
+  return outside;
+}
+
+} // namespace scan
