@@ -33,6 +33,48 @@ std::optional<Number> parseNumber(std::string_view text)
   return status == std::errc() && end == last ? std::optional(number) : std::nullopt;
 }
 
+/// The numbers between separators; none when one of them is malformed.
+template <class Number>
+std::optional<std::vector<Number>> parseNumbers(std::string_view text, char separator)
+{
+  std::vector<Number> numbers;
+  while (true)
+  {
+    const std::size_t end = text.find(separator);
+    const auto number = parseNumber<Number>(text.substr(0, end));
+    if (!number)
+    {
+      return std::nullopt;
+    }
+    numbers.push_back(*number);
+    if (end == std::string_view::npos)
+    {
+      return numbers;
+    }
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::optional<PointList> parsePoints(std::string_view text)
+{
+  PointList points;
+  while (true)
+  {
+    const std::size_t end = text.find(';');
+    const auto numbers = parseNumbers<double>(text.substr(0, end), ',');
+    if (!numbers || numbers->size() != 3)
+    {
+      return std::nullopt;
+    }
+    points.push_back({ (*numbers)[0], (*numbers)[1], (*numbers)[2] });
+    if (end == std::string_view::npos)
+    {
+      return points;
+    }
+    text.remove_prefix(end + 1);
+  }
+}
+
 bool hasMinimum(const Parameter& parameter)
 {
   return parameter.minimum != std::numeric_limits<double>::lowest();
@@ -88,6 +130,12 @@ struct IsInRange
     return value >= this->parameter.minimum && value <= this->parameter.maximum;
   }
   bool operator()(const Length& value) const { return (*this)(value.value()); }
+  bool operator()(const PointList& points) const
+  {
+    return std::ranges::all_of(points,
+      [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+  }
+  bool operator()(const IdList&) const { return true; }
   bool operator()(const std::string& value) const
   {
     const std::vector<std::string>& choices = this->parameter.choices;
@@ -121,6 +169,14 @@ struct Parse
   {
     return std::string(this->text);
   }
+  std::optional<ParameterValue> operator()(const PointList&) const
+  {
+    return parsePoints(this->text);
+  }
+  std::optional<ParameterValue> operator()(const IdList&) const
+  {
+    return parseNumbers<std::int64_t>(this->text, ',');
+  }
 };
 
 struct RangeText
@@ -138,6 +194,8 @@ struct RangeText
   {
     return this->parameter.choices.empty() ? "a text" : joined(this->parameter.choices);
   }
+  std::string operator()(const PointList&) const { return "x,y,z or more points, x,y,z;x,y,z"; }
+  std::string operator()(const IdList&) const { return "a whole number or more, 1,2,3"; }
 };
 
 struct Text
@@ -147,6 +205,25 @@ struct Text
   std::string operator()(double value) const { return numberText(value); }
   std::string operator()(const Length& value) const { return value.text(); }
   std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const PointList& points) const
+  {
+    std::string text;
+    for (const Vec3& p : points)
+    {
+      text +=
+        (text.empty() ? "" : ";") + numberText(p.x) + "," + numberText(p.y) + "," + numberText(p.z);
+    }
+    return text;
+  }
+  std::string operator()(const IdList& ids) const
+  {
+    std::string text;
+    for (const std::int64_t id : ids)
+    {
+      text += (text.empty() ? "" : ",") + numberText(id);
+    }
+    return text;
+  }
 };
 
 } // namespace
@@ -173,6 +250,21 @@ void checkValue(const Parameter& parameter, const ParameterValue& value)
   {
     refuse(parameter, textOf(value));
   }
+}
+
+bool appendValue(ParameterValue& list, const ParameterValue& more)
+{
+  const auto append = [&]<class List>(List* to)
+  {
+    const auto* from = std::get_if<List>(&more);
+    if (to == nullptr || from == nullptr)
+    {
+      return false;
+    }
+    to->insert(to->end(), from->begin(), from->end());
+    return true;
+  };
+  return append(std::get_if<PointList>(&list)) || append(std::get_if<IdList>(&list));
 }
 
 std::string textOf(const ParameterValue& value)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/base/length.h"
+#include "filters/geometry/mesh.h"
 
 #include <cstdint>
 #include <limits>
@@ -15,9 +16,16 @@
 namespace scan
 {
 
+/// Places in space, in model units; written "x,y,z" each, with a semicolon between two.
+using PointList = std::vector<Vec3>;
+
+/// Numbers of triangles or the like; written with a comma between two.
+using IdList = std::vector<std::int64_t>;
+
 /// The type of a parameter is the alternative that its default holds; a choice is a text with a
 /// list of choices.
-using ParameterValue = std::variant<bool, std::int64_t, double, Length, std::string>;
+using ParameterValue =
+  std::variant<bool, std::int64_t, double, Length, std::string, PointList, IdList>;
 
 /// One setting of an operation, as the command line, a dialog and a template see it.
 struct Parameter
@@ -42,6 +50,9 @@ ParameterValue parseValue(const Parameter& parameter, std::string_view text);
 
 /// @throws Error{badParameter} for a value of another type or out of range
 void checkValue(const Parameter& parameter, const ParameterValue& value);
+
+/// Appends a list to another of its kind; returns false for values that are no lists.
+bool appendValue(ParameterValue& list, const ParameterValue& more);
 
 /// The text that parseValue() turns into the same value.
 std::string textOf(const ParameterValue& value);

@@ -174,7 +174,9 @@ private:
     }
     const std::string value = equals == std::string::npos ? "true" : text.substr(equals + 1);
     ParameterValues& given = isGlobal ? this->Globals : verb->given;
-    if (!given.emplace(name, parseValue(*parameter, value)).second)
+    const ParameterValue parsed = parseValue(*parameter, value);
+    const auto [place, isNew] = given.emplace(name, parsed);
+    if (!isNew && !appendValue(place->second, parsed))
     {
       refuse("--" + name + ": is given twice; keep one of them");
     }

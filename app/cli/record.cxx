@@ -22,6 +22,15 @@ struct ToJson
 {
   Json operator()(std::monostate) const { return nullptr; }
   Json operator()(const Length& length) const { return length.text(); }
+  Json operator()(const PointList& points) const
+  {
+    Json list = Json::array();
+    for (const Vec3& p : points)
+    {
+      list.push_back({ p.x, p.y, p.z });
+    }
+    return list;
+  }
   template <class T>
   Json operator()(const T& value) const
   {

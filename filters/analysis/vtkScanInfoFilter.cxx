@@ -10,6 +10,12 @@
 
 vtkStandardNewMacro(vtkScanInfoFilter);
 
+vtkSmartPointer<vtkPolyData> vtkScanInfoFilter::NewOutput(vtkPolyData* input)
+{
+  return input != nullptr ? vtk::TakeSmartPointer(input->NewInstance())
+                          : this->Superclass::NewOutput(input);
+}
+
 void vtkScanInfoFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution)
 {
   execution.plan({ { "measure", 1.0 } });

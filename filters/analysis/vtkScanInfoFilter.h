@@ -26,6 +26,7 @@ protected:
   vtkScanInfoFilter() = default;
   ~vtkScanInfoFilter() override = default;
 
+  vtkSmartPointer<vtkPolyData> NewOutput(vtkPolyData* input) override; ///< of the input's type
   void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) override;
 
 private:

@@ -2,7 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/base/vtkScanPolyDataFilter.h"
 
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkPolyData.h>
+
+vtkSmartPointer<vtkPolyData> vtkScanPolyDataFilter::NewOutput(vtkPolyData*)
+{
+  return vtkSmartPointer<vtkPolyData>::New();
+}
+
+vtkTypeBool vtkScanPolyDataFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    const auto output = this->NewOutput(vtkPolyData::GetData(inputVector[0]));
+    vtkPolyData* const existing = vtkPolyData::GetData(outputVector);
+    if (existing == nullptr || !existing->IsA(output->GetClassName()))
+    {
+      outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), output);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
 
 int vtkScanPolyDataFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)

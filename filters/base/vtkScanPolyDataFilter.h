@@ -6,6 +6,7 @@
 #include "filters/base/vtkScanTask.h"
 
 #include <vtkPolyDataAlgorithm.h>
+#include <vtkSmartPointer.h>
 
 /// Base of the filters from vtkPolyData to vtkPolyData: a subclass writes Run() and may throw;
 /// progress, cancel and errors are taken care of here.
@@ -25,6 +26,11 @@ protected:
   /// Fills `output`, which is empty; `input` must stay as it is. Throws scan::Error.
   virtual void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) = 0;
 
+  /// The empty output of the next run. Default: vtkPolyData.
+  virtual vtkSmartPointer<vtkPolyData> NewOutput(vtkPolyData* input);
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) final;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) final;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/block_marks.h"
 
+#include "filters/base/error.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/point_triangle.h"
 #include "filters/geometry/wrap_editor.h"
@@ -10,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace scan
 {
@@ -126,6 +128,22 @@ Index tetAround(const DelaunayComplex& complex, const Vec3& point, Execution& ex
 
 } // namespace
 
+BlockName blockOfNumber(const Blocks& blocks, std::int64_t number)
+{
+  const FlowComplex& flow = blocks.flow();
+  const std::int64_t facet = -1 - number;
+  if (number >= 0 && number < blocks.outside() && blocks.isVolume(static_cast<Index>(number)))
+  {
+    return { .isSheet = false, .name = static_cast<Index>(number) };
+  }
+  if (number < 0 && facet < std::int64_t{ 4 } * flow.delaunay().tetCount() &&
+    flow.isCriticalTriangle(static_cast<Facet>(facet)))
+  {
+    return { .isSheet = true, .name = flow.delaunay().canonical(static_cast<Facet>(facet)) };
+  }
+  throw Error(ErrorCode::badParameter, "there is no block " + std::to_string(number));
+}
+
 bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& block)
 {
   return block.isSheet ? complex.keepsTriangle(block.name)
@@ -165,6 +183,25 @@ BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triang
   }
   return top.tet == kNone ? BlockName{ .isSheet = true, .name = top.sheet }
                           : BlockName{ .isSheet = false, .name = blocks.ofTet(top.tet) };
+}
+
+BlockName removedBlockBefore(const WrapModel& model, const Blocks& blocks, Facet triangle)
+{
+  const DelaunayComplex& complex = model.scan->delaunay();
+  BlockName before;
+  for (const Facet side : { triangle, complex.mirror[triangle / 4][triangle % 4] })
+  {
+    if (side != kNone && !model.current->keepsTet(side / 4))
+    {
+      const BlockName block{ .isSheet = false, .name = blocks.ofTet(side / 4) };
+      if (blocks.isVolume(block.name) && !isKept(*model.current, blocks, block) &&
+        (before.name == kNone || sizeOf(blocks, block) > sizeOf(blocks, before)))
+      {
+        before = block;
+      }
+    }
+  }
+  return before;
 }
 
 BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& execution)

@@ -7,6 +7,7 @@
 #include "filters/geometry/wrap_model.h"
 
 #include <compare>
+#include <cstdint>
 
 namespace scan
 {
@@ -21,6 +22,16 @@ struct BlockName
   friend auto operator<=>(const BlockName&, const BlockName&) = default;
 };
 
+/// The block as one number, for people and files: a volume block its own, a sheet -1 - triangle.
+inline std::int64_t numberOf(const BlockName& block)
+{
+  return block.isSheet ? -1 - std::int64_t{ block.name } : std::int64_t{ block.name };
+}
+
+/// The block of that number.
+/// @throws Error{badParameter} when there is none
+BlockName blockOfNumber(const Blocks& blocks, std::int64_t number);
+
 /// The block that a triangle of the surface belongs to: of a boundary triangle the block of the
 /// kept tetrahedron behind it, of a sheet triangle the block that it flows to. Where that block is
 /// gone and the tetrahedron or triangle stayed, the kept block that it stayed for.
@@ -29,6 +40,10 @@ BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triang
 /// The removed block that a point means: the volume block around it, else the sheet block removed
 /// since the start that is nearest to it. Empty names (kNone) when there is none.
 BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& execution);
+
+/// The removed volume block before a triangle of the surface, on the side where nothing is kept; a
+/// sheet means its more roomy side. An empty name when that is the outside.
+BlockName removedBlockBefore(const WrapModel& model, const Blocks& blocks, Facet triangle);
 
 /// Whether the block's critical simplex is kept.
 bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& block);

@@ -36,11 +36,6 @@ void floodBlock(const Blocks& blocks, Index first, Wanted&& wanted, Visit&& visi
   }
 }
 
-bool isOnSurface(const WrapComplex& complex, Facet triangle)
-{
-  return complex.keptSides(triangle) == 1 || complex.isSheet(triangle);
-}
-
 /// What one push or pull is about: the state being made, and the blocks that were met.
 class Pushing
 {
@@ -56,7 +51,7 @@ public:
   {
   }
 
-  void push(std::span<const Facet> triangles)
+  void push(std::span<const Facet> triangles, std::span<const BlockName> named)
   {
     WrapModel now = this->Model;
     now.current = this->Next;
@@ -64,7 +59,15 @@ public:
     {
       if (isOnSurface(*this->Next, triangle))
       {
-        this->removeBlock(blockBehind(now, this->TheBlocks, triangle), triangle);
+        this->removeBehind(triangle, blockBehind(now, this->TheBlocks, triangle));
+        this->Editor.collapse(this->Run);
+      }
+    }
+    for (const BlockName& block : named)
+    {
+      if (isKept(*this->Next, this->TheBlocks, block))
+      {
+        this->removeBlock(block);
         this->Editor.collapse(this->Run);
       }
     }
@@ -99,7 +102,7 @@ public:
   PushReport finish()
   {
     this->Report.change = this->Editor.change();
-    this->compareSurfaces();
+    this->Report.surface = compareSurfaces(*this->Model.current, *this->Next, this->Editor);
     this->Model.current = this->Next;
     return std::move(this->Report);
   }
@@ -134,25 +137,31 @@ private:
     }
   }
 
-  void removeBlock(const BlockName& block, Facet triangle)
+  void removeBehind(Facet triangle, const BlockName& block)
   {
-    if (block.isSheet)
+    if (block.isSheet ||
+      (this->TheBlocks.isVolume(block.name) && isKept(*this->Next, this->TheBlocks, block)))
+    {
+      this->removeBlock(block);
+      return;
+    }
+    this->removeRemnant(this->Next->keepsTet(triangle / 4)
+        ? triangle / 4
+        : this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4)));
+    this->Report.blocks.push_back(block);
+  }
+
+  void removeBlock(const BlockName& block)
+  {
+    if (!block.isSheet)
+    {
+      this->forEachInReach(block.name, [&](Index volume) { this->removeVolume(volume); });
+    }
+    else if (this->Next->isSheet(block.name))
     {
       this->Editor.removeSheet(block.name);
       this->Report.blocks.push_back(block);
-      return;
     }
-    const Index behind = this->Next->keepsTet(triangle / 4)
-      ? triangle / 4
-      : this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
-    if (!this->TheBlocks.isVolume(block.name) ||
-      !this->Next->keepsTet(this->TheBlocks.sink(block.name)))
-    {
-      this->removeRemnant(behind);
-      this->Report.blocks.push_back(block);
-      return;
-    }
-    this->forEachInReach(block.name, [&](Index volume) { this->removeVolume(volume); });
   }
 
   void removeVolume(Index block)
@@ -184,11 +193,12 @@ private:
     {
       this->Editor.removeTet(at);
     }
+    const FlowComplex& flow = this->TheBlocks.flow();
     for (const Index at : remnant)
     {
-      for (Facet facet = 4 * at; this->Model.isSolid && facet < 4 * at + 4; ++facet)
+      for (Facet facet = 4 * at; facet < 4 * at + 4; ++facet)
       {
-        if (this->Next->isSheet(facet))
+        if (this->Next->isSheet(facet) && (this->Model.isSolid || !flow.isFree(facet)))
         {
           this->Editor.removeSheet(facet);
         }
@@ -251,33 +261,6 @@ private:
       });
   }
 
-  void compareSurfaces()
-  {
-    std::vector<Facet> touched;
-    for (const Index tet : this->Editor.touchedTets())
-    {
-      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-      {
-        touched.push_back(this->Complex.canonical(facet));
-      }
-    }
-    for (const Facet facet : this->Editor.touchedSheets())
-    {
-      touched.push_back(this->Complex.canonical(facet));
-    }
-    std::ranges::sort(touched);
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (const Facet facet : touched)
-    {
-      const bool was = isOnSurface(*this->Model.current, facet);
-      const bool is = isOnSurface(*this->Next, facet);
-      if (was != is)
-      {
-        (is ? this->Report.trianglesNew : this->Report.trianglesGone).push_back(facet);
-      }
-    }
-  }
-
   WrapModel& Model;
   const PushOptions& Options;
   Execution& Run;
@@ -291,11 +274,11 @@ private:
 
 } // namespace
 
-PushReport push(WrapModel& model, std::span<const Facet> triangles, const PushOptions& options,
-  Execution& execution)
+PushReport push(WrapModel& model, std::span<const Facet> triangles,
+  std::span<const BlockName> named, const PushOptions& options, Execution& execution)
 {
   Pushing pushing(model, options, execution);
-  pushing.push(triangles);
+  pushing.push(triangles, named);
   return pushing.finish();
 }
 

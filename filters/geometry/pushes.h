@@ -4,7 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/block_marks.h"
-#include "filters/geometry/wrap_editor.h"
+#include "filters/geometry/surface_change.h"
 #include "filters/geometry/wrap_model.h"
 
 #include <span>
@@ -25,20 +25,19 @@ struct PushReport
   std::vector<BlockName> blocks; ///< removed or added, in the order they were reached
   Index doors = 0;               ///< walls removed between blocks that are both gone
   WrapChange change;
-
-  std::vector<Facet> trianglesGone; ///< from the surface; canonical names, in increasing order
-  std::vector<Facet> trianglesNew;  ///< on the surface
+  SurfaceChange surface;
 };
 
-/// Removes the blocks that the triangles of the surface belong to; triangles that are not on the
-/// surface are left out. Removing a block removes its critical simplex, and everything that then
+/// Removes the blocks that the triangles of the surface belong to, and those given by name;
+/// triangles that are not on the surface, blocks that are gone and sheets that a solid still needs
+/// are left out. Removing a block removes its critical simplex, and everything that then
 /// collapses. Afterwards doors are removed whose sides are both gone and one of which passes to the
 /// other: walls between rooms of one hollow vanish, the scanned surface between two hollows stays.
 /// Of a solid model the block's tetrahedra are removed and no sheets stay.
 /// Time and memory follow what is removed, plus a copy of the state.
 /// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003), section 6.
-PushReport push(WrapModel& model, std::span<const Facet> triangles, const PushOptions& options,
-  Execution& execution);
+PushReport push(WrapModel& model, std::span<const Facet> triangles,
+  std::span<const BlockName> named, const PushOptions& options, Execution& execution);
 
 /// Adds removed blocks back, as far as they were there at the start if they were: the inverse of
 /// push. With `deep` also the removed blocks that one passes to.

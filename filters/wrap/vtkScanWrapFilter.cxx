@@ -3,6 +3,8 @@
 #include "filters/wrap/vtkScanWrapFilter.h"
 
 #include "filters/base/vtkScanMeshBridge.h"
+#include "filters/geometry/model_length.h"
+#include "filters/wrap/vtkScanWrapData.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -19,6 +21,11 @@ void vtkScanWrapFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Manifold: " << (this->Manifold ? "true" : "false") << "\n";
 }
 
+vtkSmartPointer<vtkPolyData> vtkScanWrapFilter::NewOutput(vtkPolyData*)
+{
+  return vtkSmartPointer<vtkScanWrapData>::New();
+}
+
 void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution)
 {
   using Options = scan::WrapOptions;
@@ -26,19 +33,35 @@ void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
   options.mode = this->Mode == CLASSIC ? Options::Mode::classic : Options::Mode::automatic;
   options.fit = this->Fit == ROBUST ? Options::Fit::robust : Options::Fit::all;
   options.manifold = this->Manifold;
-  execution.plan(scan::wrapPhases(options));
 
-  const std::vector<scan::Vec3> points = scan::bridge::pointsOf(input);
-  const scan::WrapResult result = scan::wrap(points, options, execution);
-  this->Report = result.report;
-
-  scan::bridge::setMesh(output, result.surface, result.lines);
-  const std::vector<vtkIdType> inputIds = scan::bridge::scanPointIdsOf(input);
-  std::vector<vtkIdType> ids;
-  ids.reserve(result.scanPointIds.size());
-  for (const scan::Index id : result.scanPointIds)
+  auto* const earlier = vtkScanWrapData::SafeDownCast(&input);
+  auto scan = earlier != nullptr ? earlier->GetModel().scan : nullptr;
+  std::vector<scan::Vec3> points;
+  vtkScanWrapData::PointIds ids;
+  if (scan)
   {
-    ids.push_back(inputIds[id]);
+    ids = earlier->GetInputIds();
   }
-  scan::bridge::setScanPointIds(output, ids);
+  else
+  {
+    points = scan::bridge::pointsOf(input);
+    ids = std::make_shared<const std::vector<vtkIdType>>(scan::bridge::scanPointIdsOf(input));
+  }
+  if (this->Size.value() > 0.0)
+  {
+    options.size = inModelUnits(this->Size, scan ? scan->delaunay().points : points);
+  }
+  const bool withBlocks = options.mode == Options::Mode::classic;
+  std::vector<scan::Phase> phases = scan::wrapPhases(options);
+  if (withBlocks && this->Size.value() <= 0.0) // else it is one of them
+  {
+    phases.push_back({ "blocks", 1.0 });
+  }
+  execution.plan(phases);
+
+  scan::WrapResult result =
+    scan ? scan::wrap(scan, options, execution) : scan::wrap(points, options, execution);
+  this->Report = result.report;
+  vtkScanWrapData::SafeDownCast(&output)->SetWrap(
+    std::move(result), std::move(ids), withBlocks, execution);
 }

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/base/length.h"
 #include "filters/base/vtkScanPolyDataFilter.h"
 #include "filters/geometry/wrap.h"
 
 /// Surface of a scan from its points alone: no normals, no density, no parameter to set.
 ///
-/// The points of the input are used, its cells are not. The output has the triangles, in classic
-/// mode the left-over lines, and the ScanPointId array; other arrays of the input are dropped.
-/// See scan::wrap for the guarantees.
+/// The points of the input are used, its cells are not. The output is a vtkScanWrapData with the
+/// triangles, in classic mode the left-over lines and the arrays of blocks, and the ScanPointId
+/// array; other arrays of the input are dropped. Where the input is a wrap, all points of its scan
+/// are wrapped, and their complex is used again. See scan::wrap for the guarantees.
 class SCANFILTERS_EXPORT vtkScanWrapFilter : public vtkScanPolyDataFilter
 {
 public:
@@ -35,6 +37,14 @@ public:
   vtkSetEnumMacro(Fit, FitType);
   vtkGetEnumMacro(Fit, FitType);
 
+  /// Classic mode: what opens to the outside through doors wider than this radius is removed, and
+  /// webs that are wider. Default 0: nothing.
+  void SetSize(const scan::Length& size)
+  {
+    this->Size = size;
+    this->Modified();
+  }
+
   /// Split non-manifold edges and vertices into separate sheets. Default: true.
   vtkSetMacro(Manifold, bool);
   vtkGetMacro(Manifold, bool);
@@ -47,11 +57,13 @@ protected:
   vtkScanWrapFilter() = default;
   ~vtkScanWrapFilter() override = default;
 
+  vtkSmartPointer<vtkPolyData> NewOutput(vtkPolyData* input) override;
   void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) override;
 
 private:
   ModeType Mode = AUTOMATIC;
   FitType Fit = ALL;
+  scan::Length Size;
   bool Manifold = true;
   scan::WrapReport Report;
 };

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/facet_search.h"
+
+#include "filters/geometry/collect.h"
+#include "filters/geometry/point_triangle.h"
+
+#include <limits>
+
+namespace scan
+{
+namespace
+{
+
+double squaredDistance(const DelaunayComplex& complex, Facet facet, const Vec3& point)
+{
+  const Triangle v = complex.facetVertices(facet);
+  return squaredDistance(point, complex.points[v[0]], complex.points[v[1]], complex.points[v[2]]);
+}
+
+} // namespace
+
+Facet nearestFacet(const DelaunayComplex& complex, std::span<const Facet> facets, const Vec3& point,
+  Execution& execution)
+{
+  struct Candidate
+  {
+    Facet facet = kNone;
+    double distance2 = std::numeric_limits<double>::infinity();
+  };
+  constexpr std::size_t kChunk = 1 << 14;
+  std::vector<Candidate> nearest((facets.size() + kChunk - 1) / kChunk);
+  execution.parallelFor(nearest.size(), 1,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t chunk = begin; chunk < end; ++chunk)
+      {
+        const std::size_t count = std::min(kChunk, facets.size() - kChunk * chunk);
+        for (const Facet facet : facets.subspan(kChunk * chunk, count))
+        {
+          const double distance2 = squaredDistance(complex, facet, point);
+          if (distance2 < nearest[chunk].distance2)
+          {
+            nearest[chunk] = { facet, distance2 };
+          }
+        }
+      }
+    });
+  Candidate best;
+  for (const Candidate& candidate : nearest)
+  {
+    best = candidate.distance2 < best.distance2 ? candidate : best;
+  }
+  return best.facet;
+}
+
+std::vector<Facet> facetsWithin(const DelaunayComplex& complex, std::span<const Facet> facets,
+  const Vec3& point, double distance, Execution& execution)
+{
+  return collect<Facet>(static_cast<Index>(facets.size()), execution,
+    [&](Index i, auto& found)
+    {
+      if (squaredDistance(complex, facets[i], point) <= distance * distance)
+      {
+        found.push_back(facets[i]);
+      }
+    });
+}
+
+} // namespace scan

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/model_length.h"
+
+#include "filters/geometry/bounding_box.h"
+#include "filters/geometry/spacing.h"
+
+namespace scan
+{
+
+double inModelUnits(const Length& length, std::span<const Vec3> points)
+{
+  LengthScale scale;
+  scale.diagonal = BoundingBox(points).diagonal();
+  if (length.unit() == Length::Unit::spacing)
+  {
+    scale.spacing = meanSpacing(points);
+  }
+  return length.resolve(scale);
+}
+
+} // namespace scan

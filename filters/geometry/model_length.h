@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/length.h"
+#include "filters/geometry/mesh.h"
+
+#include <span>
+
+namespace scan
+{
+
+/// A length in model units, for a model with these points: percent of their bounding-box diagonal,
+/// multiples of their mean spacing. The spacing is measured only when it is asked for.
+double inModelUnits(const Length& length, std::span<const Vec3> points);
+
+} // namespace scan

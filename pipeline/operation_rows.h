@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "pipeline/operation_table.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace scan
+{
+
+// The rows of the operation table, by stage, and what they are written with.
+
+std::vector<Operation> wrapOperations();
+std::vector<Operation> analysisOperations();
+
+/// The value of a parameter that completeValues() has made sure is there.
+template <class T>
+const T& valueOf(const ParameterValues& values, std::string_view name)
+{
+  return std::get<T>(values.find(name)->second);
+}
+
+/// The filter that the row's make() made.
+template <class Filter>
+const Filter& as(vtkAlgorithm& algorithm)
+{
+  return dynamic_cast<const Filter&>(algorithm);
+}
+
+inline ResultValue count(std::int64_t number)
+{
+  return number;
+}
+
+} // namespace scan
