@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -37,6 +38,25 @@ std::string genusCell(const scan::MeshReport& mesh)
 {
   return mesh.genus ? fmt::format("{}", *mesh.genus)
                     : fmt::format("χ = {}", mesh.eulerCharacteristic);
+}
+
+/// How many, and the share of the triangles that the largest has.
+std::string partsCell(const scan::MeshReport& mesh)
+{
+  const std::size_t count = mesh.components.size();
+  if (count < 2)
+  {
+    return fmt::format("{}", count);
+  }
+  const double largest = mesh.components.front().triangles;
+  return fmt::format("{}, largest {:.1f} %", count, 100.0 * largest / mesh.triangles);
+}
+
+/// The largest of the mean distances.
+double farthestMean(const Quality& quality)
+{
+  return std::max({ quality.ofPoints.mean, quality.fromTruth.value_or(Deviation{}).mean,
+    quality.ofTruth.value_or(Deviation{}).mean });
 }
 
 std::string overview(const std::vector<Comparison>& comparisons)
@@ -103,7 +123,8 @@ std::string verdict(const Result& result, const Shape& shape)
   {
     return mesh.isClosed ? "closed" : fmt::format("{} open edges", mesh.boundaryEdges);
   }
-  return "**yes**";
+  const double off = farthestMean(result.quality);
+  return off > 1.0 ? fmt::format("{:.1f} spacings off", off) : "**yes**";
 }
 
 std::string methodLine(const Method& method, const Result& result)
@@ -116,7 +137,7 @@ std::string methodLine(const Method& method, const Result& result)
   const scan::MeshReport& mesh = quality.topology;
   return fmt::format("| {} | {:.2f} | {:.0f} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
     method.name, result.seconds, result.megabytes, pointsCell(quality), cell(quality.ofPoints),
-    mesh.isClosed ? "yes" : "no", manifoldCell(mesh), mesh.boundaryEdges, mesh.components.size(),
+    mesh.isClosed ? "yes" : "no", manifoldCell(mesh), mesh.boundaryEdges, partsCell(mesh),
     genusCell(mesh), cell(quality.fromTruth), cell(quality.ofTruth));
 }
 

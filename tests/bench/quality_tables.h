@@ -26,7 +26,8 @@ struct Comparison
   std::vector<Result> results;
 };
 
-/// Whether the surface has the shape that the scan has: "yes", or the first thing that is wrong.
+/// Whether the surface has the right shape and is, on average, within a spacing of points and
+/// truth: "yes", or the first thing that is wrong.
 std::string verdict(const Result& result, const Shape& shape);
 
 /// The line of a method in the table of a scan, in Markdown.
