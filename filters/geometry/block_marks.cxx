@@ -147,7 +147,7 @@ BlockName blockOfNumber(const Blocks& blocks, std::int64_t number)
 bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& block)
 {
   return block.isSheet ? complex.keepsTriangle(block.name)
-                       : complex.keepsTet(blocks.sink(block.name));
+                       : blocks.isVolume(block.name) && complex.keepsTet(blocks.sink(block.name));
 }
 
 double sizeOf(const Blocks& blocks, const BlockName& block)
@@ -171,18 +171,19 @@ BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triang
     top.tet = kept.keepsTet(triangle / 4)
       ? triangle / 4
       : complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
-    const Index block = blocks.ofTet(top.tet);
-    if (model.isSolid || (blocks.isVolume(block) && kept.keepsTet(blocks.sink(block))))
+    const BlockName block{ .isSheet = false, .name = model.scan->basins().ofTet[top.tet] };
+    if (model.isSolid || isKept(kept, blocks, block))
     {
-      return { .isSheet = false, .name = block };
+      return block;
     }
   }
   for (Holder next = top; next.tet != kNone || next.sheet != kNone; next = holderOf(kept, top))
   {
     top = next;
   }
-  return top.tet == kNone ? BlockName{ .isSheet = true, .name = top.sheet }
-                          : BlockName{ .isSheet = false, .name = blocks.ofTet(top.tet) };
+  return top.tet == kNone
+    ? BlockName{ .isSheet = true, .name = top.sheet }
+    : BlockName{ .isSheet = false, .name = model.scan->basins().ofTet[top.tet] };
 }
 
 BlockName removedBlockBefore(const WrapModel& model, const Blocks& blocks, Facet triangle)

@@ -12,8 +12,8 @@
 namespace scan
 {
 
-/// A block of a wrap: a volume block by its number, or a sheet block by the canonical name of its
-/// critical triangle.
+/// A block of a wrap: a volume block by its basin, or a sheet block by the canonical name of its
+/// critical triangle. In a solid model basins that leave the hull are blocks, too.
 struct BlockName
 {
   bool isSheet = false;
@@ -45,10 +45,10 @@ BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& e
 /// sheet means its more roomy side. An empty name when that is the outside.
 BlockName removedBlockBefore(const WrapModel& model, const Blocks& blocks, Facet triangle);
 
-/// Whether the block's critical simplex is kept.
+/// Whether the block has a critical simplex that is kept.
 bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& block);
 
-/// The size of a block: the radius of its critical simplex.
+/// The size of a block: the radius of its critical simplex, infinite for what leaves the hull.
 double sizeOf(const Blocks& blocks, const BlockName& block);
 
 } // namespace scan

@@ -11,29 +11,36 @@ namespace scan
 namespace
 {
 
-/// Calls visit(tet) for the tetrahedra of a block that hang together with the first and are wanted.
-template <class Wanted, class Visit>
-void floodBlock(const Blocks& blocks, Index first, Wanted&& wanted, Visit&& visit)
+/// The tetrahedra of a basin that hang together with the first and are wanted.
+template <class Wanted>
+std::vector<Index> floodBasin(const ScanComplex& scan, Index first, Wanted&& wanted)
 {
-  const DelaunayComplex& complex = blocks.flow().delaunay();
-  const Index block = blocks.ofTet(first);
+  const std::vector<Index>& basinOf = scan.basins().ofTet;
   std::unordered_set<Index> seen{ first };
-  std::vector<Index> pending{ first };
-  while (!pending.empty())
+  std::vector<Index> found{ first };
+  for (std::size_t next = 0; next < found.size(); ++next)
   {
-    const Index tet = pending.back();
-    pending.pop_back();
-    visit(tet);
     for (int k = 0; k < 4; ++k)
     {
-      const Index beyond = complex.neighbour(tet, k);
-      if (beyond != kNone && blocks.ofTet(beyond) == block && wanted(beyond) &&
+      const Index beyond = scan.delaunay().neighbour(found[next], k);
+      if (beyond != kNone && basinOf[beyond] == basinOf[first] && wanted(beyond) &&
         seen.insert(beyond).second)
       {
-        pending.push_back(beyond);
+        found.push_back(beyond);
       }
     }
   }
+  return found;
+}
+
+/// All tetrahedra of a basin.
+std::vector<Index> tetsOfBasin(const ScanComplex& scan, Index basin)
+{
+  const std::vector<Index>& basinOf = scan.basins().ofTet;
+  const Index sink = scan.basins().sink[basin];
+  const Index first =
+    sink != kNone ? sink : static_cast<Index>(std::ranges::find(basinOf, basin) - basinOf.begin());
+  return floodBasin(scan, first, [](Index) { return true; });
 }
 
 /// What one push or pull is about: the state being made, and the blocks that were met.
@@ -60,7 +67,7 @@ public:
       if (isOnSurface(*this->Next, triangle))
       {
         this->removeBehind(triangle, blockBehind(now, this->TheBlocks, triangle));
-        this->Editor.collapse(this->Run);
+        this->collapse();
       }
     }
     for (const BlockName& block : named)
@@ -68,7 +75,7 @@ public:
       if (isKept(*this->Next, this->TheBlocks, block))
       {
         this->removeBlock(block);
-        this->Editor.collapse(this->Run);
+        this->collapse();
       }
     }
     this->removeDoors();
@@ -78,24 +85,19 @@ public:
   {
     for (const BlockName& block : removed)
     {
-      if (block.name == kNone || isKept(*this->Next, this->TheBlocks, block))
+      if (block.name == kNone)
       {
         continue;
       }
-      if (block.isSheet)
+      if (!block.isSheet)
+      {
+        this->forEachInReach(block.name, [&](Index volume) { this->addVolume(volume); });
+      }
+      else if (!this->Next->keepsTriangle(block.name))
       {
         this->Editor.addLowerSetOfTriangle(block.name, this->limits(block), this->Run);
         this->Report.blocks.push_back(block);
-        continue;
       }
-      this->forEachInReach(block.name,
-        [&](Index volume)
-        {
-          if (!this->Next->keepsTet(this->TheBlocks.sink(volume)))
-          {
-            this->addVolume(volume);
-          }
-        });
     }
   }
 
@@ -139,15 +141,16 @@ private:
 
   void removeBehind(Facet triangle, const BlockName& block)
   {
-    if (block.isSheet ||
-      (this->TheBlocks.isVolume(block.name) && isKept(*this->Next, this->TheBlocks, block)))
+    if (block.isSheet || this->Model.isSolid || isKept(*this->Next, this->TheBlocks, block))
     {
       this->removeBlock(block);
       return;
     }
-    this->removeRemnant(this->Next->keepsTet(triangle / 4)
-        ? triangle / 4
-        : this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4)));
+    const Index behind = this->Next->keepsTet(triangle / 4)
+      ? triangle / 4
+      : this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
+    this->removeTets(
+      floodBasin(*this->Model.scan, behind, [&](Index tet) { return this->Next->keepsTet(tet); }));
     this->Report.blocks.push_back(block);
   }
 
@@ -166,39 +169,41 @@ private:
 
   void removeVolume(Index block)
   {
-    const Index sink = this->TheBlocks.sink(block);
-    if (!this->Next->keepsTet(sink))
+    if (this->Model.isSolid)
+    {
+      std::vector<Index> tets = tetsOfBasin(*this->Model.scan, block);
+      std::erase_if(tets, [&](Index tet) { return !this->Next->keepsTet(tet); });
+      if (tets.empty())
+      {
+        return;
+      }
+      this->removeTets(tets);
+    }
+    else if (const Index sink = this->TheBlocks.sink(block); this->Next->keepsTet(sink))
+    {
+      this->Editor.removeTet(sink);
+    }
+    else
     {
       return;
     }
     this->Report.blocks.push_back({ .isSheet = false, .name = block });
-    if (this->Model.isSolid)
-    {
-      this->removeRemnant(sink);
-    }
-    else
-    {
-      this->Editor.removeTet(sink);
-    }
   }
 
-  /// Removes what is kept of a block around a tetrahedron, and the walls between what is gone.
-  void removeRemnant(Index tet)
+  /// Removes tetrahedra and, between what is gone, walls that no longer collapse: all of them in a
+  /// solid model, elsewhere those that went with one of the tetrahedra.
+  void removeTets(const std::vector<Index>& tets)
   {
-    std::vector<Index> remnant;
-    floodBlock(
-      this->TheBlocks, tet, [&](Index at) { return this->Next->keepsTet(at); },
-      [&](Index at) { remnant.push_back(at); });
-    for (const Index at : remnant)
+    for (const Index tet : tets)
     {
-      this->Editor.removeTet(at);
+      this->Editor.removeTet(tet);
     }
-    const FlowComplex& flow = this->TheBlocks.flow();
-    for (const Index at : remnant)
+    for (const Index tet : tets)
     {
-      for (Facet facet = 4 * at; facet < 4 * at + 4; ++facet)
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
       {
-        if (this->Next->isSheet(facet) && (this->Model.isSolid || !flow.isFree(facet)))
+        if (this->Next->isSheet(facet) &&
+          (this->Model.isSolid || !this->TheBlocks.flow().isFree(facet)))
         {
           this->Editor.removeSheet(facet);
         }
@@ -219,8 +224,17 @@ private:
           this->removeIfBare(this->TheBlocks.doors()[d]);
         }
       }
-      this->Editor.collapse(this->Run);
+      this->collapse();
     } while (this->Report.doors != before);
+  }
+
+  /// Solids are not bound to the flow: of them goes what is asked for and nothing else.
+  void collapse()
+  {
+    if (!this->Model.isSolid)
+    {
+      this->Editor.collapse(this->Run);
+    }
   }
 
   void removeIfBare(const Door& door)
@@ -243,22 +257,28 @@ private:
   void addVolume(Index block)
   {
     const BlockName name{ .isSheet = false, .name = block };
-    this->Report.blocks.push_back(name);
-    const WrapComplex* const within = this->limits(name);
-    if (!this->Model.isSolid)
+    const std::int64_t before = this->Editor.change().tetrahedra;
+    if (this->Model.isSolid)
     {
-      this->Editor.addLowerSet(this->TheBlocks.sink(block), within, this->Run);
-      return;
-    }
-    floodBlock(
-      this->TheBlocks, this->TheBlocks.sink(block), [](Index) { return true; },
-      [&](Index tet)
+      std::vector<Index> tets = tetsOfBasin(*this->Model.scan, block);
+      const auto wasThere = [&](Index tet) { return this->Model.start->keepsTet(tet); };
+      if (std::ranges::any_of(tets, wasThere))
       {
-        if (within == nullptr || within->keepsTet(tet))
-        {
-          this->Editor.addTet(tet);
-        }
-      });
+        std::erase_if(tets, [&](Index tet) { return !wasThere(tet); });
+      }
+      for (const Index tet : tets)
+      {
+        this->Editor.addTet(tet);
+      }
+    }
+    else if (!isKept(*this->Next, this->TheBlocks, name))
+    {
+      this->Editor.addLowerSet(this->TheBlocks.sink(block), this->limits(name), this->Run);
+    }
+    if (this->Editor.change().tetrahedra > before)
+    {
+      this->Report.blocks.push_back(name);
+    }
   }
 
   WrapModel& Model;

@@ -83,7 +83,7 @@ void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from
     }
   }
   editor.collapse(execution);
-  const auto removeWide = [&](Facet triangle)
+  const auto removeIfBare = [&](Facet triangle)
   {
     if (complex.isSheet(triangle))
     {
@@ -92,19 +92,20 @@ void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from
   };
   for (const Entry& entry : between(this->Triangles, from, to))
   {
-    removeWide(entry.name);
+    removeIfBare(entry.name);
   }
-  // wider ones stood as long as there was a solid on one side
+  editor.collapse(execution);
+  // wider ones stood as long as there was a solid beside them, and each that goes may bare others
   const FlowComplex& flow = this->TheBlocks.flow();
   for (std::size_t i = 0; i < editor.touchedSheets().size(); ++i)
   {
     const Facet triangle = editor.touchedSheets()[i];
     if (flow.isCriticalTriangle(triangle) && radiusOf(flow.delaunay(), triangle) > to)
     {
-      removeWide(triangle);
+      removeIfBare(triangle);
+      editor.collapse(execution);
     }
   }
-  editor.collapse(execution);
 }
 
 } // namespace scan

@@ -223,7 +223,10 @@ Intervals intervalsOf(const FlowComplex& flow, std::vector<Simplex>* conflicts)
   return intervals;
 }
 
-std::set<Simplex> simplicesOf(const WrapComplex& wrap)
+namespace
+{
+
+std::set<Simplex> simplicesWith(const WrapComplex& wrap, const std::vector<CriticalEdge>& lines)
 {
   const DelaunayComplex& complex = wrap.flow().delaunay();
   std::set<Simplex> kept;
@@ -241,8 +244,7 @@ std::set<Simplex> simplicesOf(const WrapComplex& wrap)
       }
     }
   }
-  Execution execution(1);
-  for (const CriticalEdge& line : bareEdges(wrap, execution))
+  for (const CriticalEdge& line : lines)
   {
     insertWithFaces({ line.vertices[0], line.vertices[1] }, kept);
   }
@@ -251,6 +253,19 @@ std::set<Simplex> simplicesOf(const WrapComplex& wrap)
     kept.insert({ v });
   }
   return kept;
+}
+
+} // namespace
+
+std::set<Simplex> simplicesOf(const WrapComplex& wrap)
+{
+  Execution execution(1);
+  return simplicesWith(wrap, bareEdges(wrap, execution));
+}
+
+std::set<Simplex> simplicesOf(const WrapModel& model)
+{
+  return simplicesWith(*model.current, *model.lines);
 }
 
 } // namespace scan::test

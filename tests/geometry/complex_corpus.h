@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/geometry/flow_complex.h"
-#include "filters/geometry/wrap_complex.h"
+#include "filters/geometry/wrap_model.h"
 
 #include <cstdint>
 #include <map>
@@ -48,7 +48,10 @@ Intervals intervalsOf(const FlowComplex& flow, std::vector<Simplex>* conflicts =
 /// Per simplex the lower face of its interval.
 std::map<Simplex, Simplex> lowerFaces(const Intervals& intervals);
 
-/// The simplices of a kept subcomplex: kept tetrahedra, triangles and their faces, and lines.
+/// The simplices of the Wrap complex: kept tetrahedra, triangles and their faces, and lines.
 std::set<Simplex> simplicesOf(const WrapComplex& wrap);
+
+/// The same of a wrap that may have been edited: its lines are those of the start.
+std::set<Simplex> simplicesOf(const WrapModel& model);
 
 } // namespace scan::test
