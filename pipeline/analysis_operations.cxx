@@ -131,11 +131,9 @@ Operation renderOperation()
   row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
   {
     const auto filter = vtkSmartPointer<vtkScanRenderFilter>::New();
-    const auto view =
-      std::ranges::find(kViews, valueOf<std::string>(values, "view")) - kViews.begin();
     filter->SetWidth(static_cast<int>(valueOf<std::int64_t>(values, "width")));
     filter->SetHeight(static_cast<int>(valueOf<std::int64_t>(values, "height")));
-    filter->SetView(static_cast<vtkScanRenderFilter::ViewType>(view));
+    filter->SetView(static_cast<vtkScanRenderFilter::ViewType>(choiceOf(values, "view", kViews)));
     filter->SetUp(valueOf<std::string>(values, "up") == "y" ? vtkScanRenderFilter::Y_UP
                                                             : vtkScanRenderFilter::Z_UP);
     filter->SetPerspective(valueOf<bool>(values, "perspective"));

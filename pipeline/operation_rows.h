@@ -4,7 +4,9 @@
 
 #include "pipeline/operation_table.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +23,13 @@ template <class T>
 const T& valueOf(const ParameterValues& values, std::string_view name)
 {
   return std::get<T>(values.find(name)->second);
+}
+
+/// The place of a text's value among its choices.
+inline std::ptrdiff_t choiceOf(
+  const ParameterValues& values, std::string_view name, const std::vector<std::string>& choices)
+{
+  return std::ranges::find(choices, valueOf<std::string>(values, name)) - choices.begin();
 }
 
 /// The filter that the row's make() made.

@@ -17,6 +17,10 @@ const Parameter kManifold{ .name = "manifold",
   .defaultValue = true,
   .help = "split non-manifold edges and points into separate sheets" };
 
+/// In the order of vtkScanWrapFilter::ModeType and OpenType.
+const std::vector<std::string> kModes{ "auto", "classic", "front" };
+const std::vector<std::string> kOpenings{ "auto", "keep", "cap" };
+
 /// What a user who looks at the surface only would not see.
 std::string wrapNote(vtkAlgorithm& filter)
 {
@@ -33,6 +37,10 @@ std::string wrapNote(vtkAlgorithm& filter)
   {
     add(std::to_string(distinct - report.pointsOnSurface) + " of " + std::to_string(distinct) +
       " points are not on the surface");
+  }
+  if (report.isOpen)
+  {
+    add("the scan is open and so is the surface; --open=cap closes it");
   }
   if (report.nonManifoldEdges + report.nonManifoldVertices > 0)
   {
@@ -52,12 +60,17 @@ Operation wrapOperation()
   row.parameters = {
     { .name = "mode",
       .defaultValue = "auto",
-      .help = "auto: the finished surface; classic: the first hull, the start for pushing by hand",
-      .choices = { "auto", "classic" } },
+      .help = "auto: the finished surface; classic: the first hull, the start for pushing by hand; "
+              "front: an advancing front, for comparison",
+      .choices = kModes },
     { .name = "fit",
       .defaultValue = "all",
       .help = "all: through every point possible; robust: smoother on noisy scans",
       .choices = { "all", "robust" } },
+    { .name = "open",
+      .defaultValue = "auto",
+      .help = "openings of the scan: auto decides; keep leaves them open, cap closes everything",
+      .choices = kOpenings },
     { .name = "size",
       .defaultValue = Length(),
       .help = "classic mode: open what is reached through doors wider than this radius; 0: nothing",
@@ -67,9 +80,8 @@ Operation wrapOperation()
   row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
   {
     const auto filter = vtkSmartPointer<vtkScanWrapFilter>::New();
-    filter->SetMode(valueOf<std::string>(values, "mode") == "classic"
-        ? vtkScanWrapFilter::CLASSIC
-        : vtkScanWrapFilter::AUTOMATIC);
+    filter->SetMode(static_cast<vtkScanWrapFilter::ModeType>(choiceOf(values, "mode", kModes)));
+    filter->SetOpen(static_cast<vtkScanWrapFilter::OpenType>(choiceOf(values, "open", kOpenings)));
     filter->SetFit(valueOf<std::string>(values, "fit") == "robust" ? vtkScanWrapFilter::ROBUST
                                                                    : vtkScanWrapFilter::ALL);
     filter->SetSize(valueOf<Length>(values, "size"));
@@ -87,6 +99,8 @@ Operation wrapOperation()
       { "tetrahedra-kept", count(report.tetrahedraKept) },
       { "boundary-triangles", count(report.boundaryTriangles) },
       { "sheet-triangles", count(report.sheetTriangles) },
+      { "open", report.isOpen },
+      { "opening-triangles", count(report.openingTriangles) },
       { "edges-split", count(report.nonManifoldEdges) },
       { "points-split", count(report.nonManifoldVertices) },
     };

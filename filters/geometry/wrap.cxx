@@ -3,6 +3,7 @@
 #include "filters/geometry/wrap.h"
 
 #include "filters/geometry/collect.h"
+#include "filters/geometry/front_wrap.h"
 #include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
 #include "filters/geometry/size_scale.h"
@@ -18,7 +19,7 @@ namespace
 
 AutomaticWrapOptions automaticOptions(const WrapOptions& options)
 {
-  return { .fineTune = options.fit == WrapOptions::Fit::all };
+  return { .fineTune = options.fit == WrapOptions::Fit::all, .opening = options.opening };
 }
 
 WrapModel wrapClassic(
@@ -41,27 +42,64 @@ WrapModel wrapClassic(
   return model;
 }
 
-WrapModel wrapAutomatic(
-  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
+/// A model of labelled tetrahedra, or of sheets alone.
+WrapModel modelOf(
+  std::shared_ptr<const ScanComplex> scan, std::shared_ptr<const WrapComplex> kept, bool isSolid)
+{
+  WrapModel model;
+  model.isSolid = isSolid;
+  model.start = kept;
+  model.current = std::move(kept);
+  model.lines = std::make_shared<const std::vector<CriticalEdge>>();
+  model.scan = std::move(scan);
+  return model;
+}
+
+WrapModel wrapAutomatic(std::shared_ptr<const ScanComplex> scan, const WrapOptions& options,
+  WrapReport& report, Execution& execution)
 {
   AutomaticWrap found =
     wrapAutomatically(scan->flow(), scan->basins(), automaticOptions(options), execution);
   auto kept = std::make_shared<WrapComplex>(scan->flow());
-  for (Index tet = 0; tet < scan->delaunay().tetCount(); ++tet)
+  if (found.isOpen)
+  {
+    std::ranges::for_each(found.surface, [&](Facet facet) { kept->keepSheet(facet); });
+  }
+  for (Index tet = 0; !found.isOpen && tet < scan->delaunay().tetCount(); ++tet)
   {
     if (found.inside[tet])
     {
       kept->keepTet(tet);
     }
   }
-  WrapModel model;
-  model.isSolid = true;
+  report.isOpen = found.isOpen;
+  report.openingTriangles = found.openingTriangles;
+  WrapModel model = modelOf(std::move(scan), std::move(kept), !found.isOpen);
   model.inside = std::make_shared<const std::vector<std::uint8_t>>(std::move(found.inside));
-  model.start = kept;
-  model.current = kept;
-  model.lines = std::make_shared<const std::vector<CriticalEdge>>();
-  model.scan = std::move(scan);
   return model;
+}
+
+WrapModel wrapFront(std::shared_ptr<const ScanComplex> scan, Execution& execution)
+{
+  const DelaunayComplex& complex = scan->delaunay();
+  const auto sorted = [](Triangle triangle)
+  {
+    std::ranges::sort(triangle);
+    return triangle;
+  };
+  std::vector<Triangle> front = frontWrap(complex.points, execution);
+  std::ranges::transform(front, front.begin(), sorted);
+  std::ranges::sort(front);
+  auto kept = std::make_shared<WrapComplex>(scan->flow());
+  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
+  {
+    if (complex.canonical(facet) == facet &&
+      std::ranges::binary_search(front, sorted(complex.facetVertices(facet))))
+    {
+      kept->keepSheet(facet);
+    }
+  }
+  return modelOf(std::move(scan), std::move(kept), false);
 }
 
 /// The boundary of the solids, seen from them.
@@ -80,20 +118,15 @@ std::vector<Facet> boundaryFacets(const WrapComplex& kept, Execution& execution)
     });
 }
 
-/// The sheets, seen from what the automatic wrap called inside.
 std::vector<Facet> sheetFacets(const WrapModel& model, Execution& execution)
 {
-  const DelaunayComplex& complex = model.scan->delaunay();
-  return collect<Facet>(complex.tetCount(), execution,
+  return collect<Facet>(model.scan->delaunay().tetCount(), execution,
     [&](Index tet, auto& found)
     {
       for (unsigned sheets = model.current->sheetsNamedAfter(tet); sheets != 0;
            sheets &= sheets - 1)
       {
-        const Facet facet = 4 * tet + static_cast<Facet>(std::countr_zero(sheets));
-        const Facet mirror = complex.mirror[tet][facet % 4];
-        const bool isOther = model.inside && mirror != kNone && (*model.inside)[mirror / 4];
-        found.push_back(isOther ? mirror : facet);
+        found.push_back(4 * tet + static_cast<Facet>(std::countr_zero(sheets)));
       }
     });
 }
@@ -168,6 +201,10 @@ std::vector<Phase> wrapPhases(const WrapOptions& options)
       phases.push_back({ "blocks", 1.0 });
     }
   }
+  else if (options.mode == WrapOptions::Mode::front)
+  {
+    phases.push_back({ "front", 20.0 });
+  }
   else
   {
     const std::vector<Phase> automatic = automaticWrapPhases(automaticOptions(options));
@@ -185,10 +222,16 @@ WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execut
 WrapResult wrap(
   std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
 {
-  const WrapModel model = options.mode == WrapOptions::Mode::classic
+  using Mode = WrapOptions::Mode;
+  WrapReport found;
+  const WrapModel model = options.mode == Mode::classic
     ? wrapClassic(std::move(scan), options, execution)
-    : wrapAutomatic(std::move(scan), options, execution);
-  return surfaceOf(model, options.manifold, execution);
+    : options.mode == Mode::front ? wrapFront(std::move(scan), execution)
+                                  : wrapAutomatic(std::move(scan), options, found, execution);
+  WrapResult result = surfaceOf(model, options.manifold, execution);
+  result.report.isOpen = found.isOpen;
+  result.report.openingTriangles = found.openingTriangles;
+  return result;
 }
 
 WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution)
@@ -219,6 +262,13 @@ WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution
   if (!sheets.empty())
   {
     std::vector<Triangle> oriented = trianglesOf(sheets);
+    for (std::size_t t = 0; model.inside && t < sheets.size(); ++t)
+    {
+      if (!(*model.inside)[sheets[t] / 4]) // sheets face away from what is inside
+      {
+        std::swap(oriented[t][1], oriented[t][2]);
+      }
+    }
     orientConsistently(oriented, complex.points.size());
     result.facets.insert(result.facets.end(), sheets.begin(), sheets.end());
     result.surface.triangles.insert(

@@ -20,7 +20,8 @@ struct WrapOptions
   enum class Mode
   {
     automatic, ///< the pushes a person would make, found by one objective
-    classic    ///< the initial Wrap complex, the start for pushing by hand
+    classic,   ///< the initial Wrap complex, the start for pushing by hand
+    front      ///< CGAL's advancing front over the same points, for comparison
   };
   enum class Fit
   {
@@ -29,7 +30,8 @@ struct WrapOptions
   };
 
   Mode mode = Mode::automatic;
-  Fit fit = Fit::all;   ///< automatic mode only
+  Fit fit = Fit::all;                   ///< automatic mode only
+  Opening opening = Opening::automatic; ///< automatic mode only
   bool manifold = true; ///< split non-manifold edges and vertices into separate sheets
 
   /// Classic mode only: everything that one reaches from outside through doors wider than this
@@ -41,13 +43,15 @@ struct WrapOptions
 struct WrapReport
 {
   Index pointsRead = 0;
-  Index duplicatesMerged = 0;    ///< points with exactly the coordinates of an earlier one
-  Index pointsOnSurface = 0;     ///< distinct scan points that the surface passes through
-  Index tetrahedra = 0;          ///< of the Delaunay complex
-  Index tetrahedraKept = 0;      ///< inside the surface
-  Index boundaryTriangles = 0;   ///< triangles with exactly one kept tetrahedron
-  Index sheetTriangles = 0;      ///< kept triangles with no kept tetrahedron
-  Index nonManifoldEdges = 0;    ///< edges split into separate sheets
+  Index duplicatesMerged = 0;  ///< points with exactly the coordinates of an earlier one
+  Index pointsOnSurface = 0;   ///< distinct scan points that the surface passes through
+  Index tetrahedra = 0;        ///< of the Delaunay complex
+  Index tetrahedraKept = 0;    ///< inside the surface
+  Index boundaryTriangles = 0; ///< triangles with exactly one kept tetrahedron
+  Index sheetTriangles = 0;    ///< kept triangles with no kept tetrahedron
+  bool isOpen = false;         ///< automatic mode: the open result was the better one, or asked for
+  Index openingTriangles = 0;  ///< that span openings of the scan and were left out
+  Index nonManifoldEdges = 0;  ///< edges split into separate sheets
   Index nonManifoldVertices = 0; ///< vertices split into separate fans
 };
 
@@ -68,8 +72,9 @@ std::vector<Phase> wrapPhases(const WrapOptions& options);
 /// Surface of a scan as a subcomplex of the Delaunay complex of its points: no normals, no density.
 ///
 /// Guarantee: every triangle is a Delaunay triangle of the distinct input points; shared vertices,
-/// no cracks; automatic mode gives closed surfaces. With `manifold` the result is a 2-manifold with
-/// or without boundary. The same input gives the same bytes on any number of threads.
+/// no cracks; automatic mode gives closed surfaces unless the scan is open. With `manifold` the
+/// result is a 2-manifold with or without boundary. The same input gives the same bytes on any
+/// number of threads.
 /// @param points finite coordinates with absolute values up to 1e50, in model units
 /// @throws Error badInput when fewer than four points, or all of them in one plane; Cancelled
 /// Time and memory: nearly linear for points on surfaces, about 0.8 kB a point.

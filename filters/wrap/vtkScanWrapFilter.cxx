@@ -16,7 +16,16 @@ vtkStandardNewMacro(vtkScanWrapFilter);
 void vtkScanWrapFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << (this->Mode == CLASSIC ? "classic" : "automatic") << "\n";
+  os << indent << "Mode: "
+     << (this->Mode == CLASSIC    ? "classic"
+            : this->Mode == FRONT ? "front"
+                                  : "automatic")
+     << "\n";
+  os << indent << "Open: "
+     << (this->Open == KEEP     ? "keep"
+            : this->Open == CAP ? "cap"
+                                : "decide")
+     << "\n";
   os << indent << "Fit: " << (this->Fit == ROBUST ? "robust" : "all") << "\n";
   os << indent << "Manifold: " << (this->Manifold ? "true" : "false") << "\n";
 }
@@ -30,7 +39,12 @@ void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
 {
   using Options = scan::WrapOptions;
   Options options;
-  options.mode = this->Mode == CLASSIC ? Options::Mode::classic : Options::Mode::automatic;
+  options.mode = this->Mode == CLASSIC ? Options::Mode::classic
+    : this->Mode == FRONT              ? Options::Mode::front
+                                       : Options::Mode::automatic;
+  options.opening = this->Open == KEEP ? scan::Opening::keep
+    : this->Open == CAP                ? scan::Opening::cap
+                                       : scan::Opening::automatic;
   options.fit = this->Fit == ROBUST ? Options::Fit::robust : Options::Fit::all;
   options.manifold = this->Manifold;
 

@@ -24,7 +24,8 @@ public:
   enum ModeType
   {
     AUTOMATIC, ///< the finished surface (default)
-    CLASSIC    ///< the initial Wrap complex, the start for pushing by hand
+    CLASSIC,   ///< the initial Wrap complex, the start for pushing by hand
+    FRONT      ///< CGAL's advancing front over the same points, for comparison
   };
   vtkSetEnumMacro(Mode, ModeType);
   vtkGetEnumMacro(Mode, ModeType);
@@ -36,6 +37,15 @@ public:
   };
   vtkSetEnumMacro(Fit, FitType);
   vtkGetEnumMacro(Fit, FitType);
+
+  enum OpenType
+  {
+    DECIDE, ///< open where that makes the better surface (default)
+    KEEP,   ///< true openings stay open
+    CAP     ///< always closed
+  };
+  vtkSetEnumMacro(Open, OpenType);
+  vtkGetEnumMacro(Open, OpenType);
 
   /// Classic mode: what opens to the outside through doors wider than this radius is removed, and
   /// webs that are wider. Default 0: nothing.
@@ -63,6 +73,7 @@ protected:
 private:
   ModeType Mode = AUTOMATIC;
   FitType Fit = ALL;
+  OpenType Open = DECIDE;
   scan::Length Size;
   bool Manifold = true;
   scan::WrapReport Report;
