@@ -10,7 +10,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <tuple>
 
 namespace scan
 {
@@ -56,42 +55,66 @@ void numberVertices(std::span<const Vec3> input, DelaunayComplex& complex, Execu
   }
 }
 
-/// A cell with its vertices in the order of the complex.
+/// A tetrahedron on its way to its number.
 struct NamedCell
 {
-  std::array<Index, 4> vertices;
   Index cell;
-  std::uint8_t places; ///< two bits per vertex of the cell: its place in `vertices`
+  std::uint32_t places;          ///< two bits per vertex of the cell: its place in `vertices`
+  std::array<Index, 4> vertices; ///< ascending, then perhaps the last two exchanged
+  std::uint64_t middle;          ///< vertices 1 and 2: the first 0 is that of the bucket
 
   NamedCell(const DelaunayCell& original, Index number)
     : cell(number)
     , places(0)
   {
-    std::array<std::uint64_t, 4> from{}; // vertex and its place in the cell
+    std::array<std::uint64_t, 4> from; // vertex and its place in the cell
     for (unsigned k = 0; k < 4; ++k)
     {
       from[k] = std::uint64_t{ original.vertices[k] } << 2 | k;
     }
-    bool even = true;
+    bool odd = false;
     const auto sort = [&](int a, int b)
     {
-      even ^= from[b] < from[a];
-      std::tie(from[a], from[b]) = std::minmax({ from[a], from[b] });
+      const std::uint64_t low = std::min(from[a], from[b]);
+      odd ^= from[a] != low;
+      from[b] = std::max(from[a], from[b]);
+      from[a] = low;
     };
     sort(0, 1);
     sort(2, 3);
     sort(0, 2);
     sort(1, 3);
     sort(1, 2);
-    if (!even) // keeps the orientation
+    if (odd) // keeps the orientation
     {
       std::swap(from[2], from[3]);
     }
     for (unsigned k = 0; k < 4; ++k)
     {
       this->vertices[k] = static_cast<Index>(from[k] >> 2);
-      this->places |= static_cast<std::uint8_t>(k << (2 * (from[k] & 3U)));
+      this->places |= k << (2 * (from[k] & 3U));
     }
+    this->middle = std::uint64_t{ this->vertices[1] } << 32 | this->vertices[2];
+  }
+
+  /// For cells with the same smallest vertex.
+  bool operator<(const NamedCell& other) const
+  {
+    return this->middle != other.middle ? this->middle < other.middle
+                                        : this->vertices[3] < other.vertices[3];
+  }
+};
+
+/// The number of a cell in the complex and where its vertices have gone.
+struct CellName
+{
+  Index number;
+  std::uint32_t places;
+
+  /// The facet's name; kNone at infinity.
+  Facet facet(Facet k) const
+  {
+    return this->number == kNone ? kNone : 4 * this->number + (this->places >> (2 * k) & 3U);
   }
 };
 
@@ -102,49 +125,60 @@ struct CellsByVertex
   LargeArray<Index> cells;
 };
 
-CellsByVertex fileUnderSmallestVertex(const DelaunayCells& all, Execution& execution)
+/// Also sets the number of all other cells to kNone.
+CellsByVertex fileUnderSmallestVertex(
+  const DelaunayCells& all, LargeArray<CellName>& names, Execution& execution)
 {
-  LargeArray<Index> smallest(all.used());
-  execution.parallelFor(smallest.size(), kGrain,
+  execution.parallelFor(names.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
         const auto& v = all.cells[i].vertices;
-        smallest[i] = all.cells[i].isTetrahedron() ? std::min({ v[0], v[1], v[2], v[3] }) : kNone;
+        names[i].number =
+          all.cells[i].isTetrahedron() ? std::min({ v[0], v[1], v[2], v[3] }) : kNone;
       }
     });
   CellsByVertex filed;
   // counted two places ahead, so that filing leaves begin[] right where it belongs
   filed.begin.assign(all.points.size() + 2, 0);
-  for (const Index vertex : smallest)
+  for (const CellName& name : names)
   {
-    if (vertex != kNone)
+    if (name.number != kNone)
     {
-      ++filed.begin[vertex + 2];
+      ++filed.begin[name.number + 2];
     }
   }
   std::partial_sum(filed.begin.begin(), filed.begin.end(), filed.begin.begin());
   filed.cells.resize(filed.begin.back());
-  for (Index cell = 0; cell < smallest.size(); ++cell)
+  for (Index cell = 0; cell < names.size(); ++cell)
   {
-    if (smallest[cell] != kNone)
+    if (names[cell].number != kNone)
     {
-      filed.cells[filed.begin[smallest[cell] + 1]++] = cell;
+      filed.cells[filed.begin[names[cell].number + 1]++] = cell;
     }
   }
   filed.begin.pop_back();
   return filed;
 }
 
+/// Cells are scattered over memory: fetches one of the next, before `end`.
+void prefetch(
+  const DelaunayCells& all, const LargeArray<Index>& order, std::size_t current, std::size_t end)
+{
+  constexpr std::size_t kAhead = 16;
+  if (current + kAhead < end)
+  {
+    __builtin_prefetch(&all.cells[order[current + kAhead]]);
+  }
+}
+
 /// Numbers the tetrahedra by their sorted vertices, whatever their order in the triangulation.
 void copyCells(const DelaunayCells& all, DelaunayComplex& complex, Execution& execution)
 {
-  CellsByVertex filed = fileUnderSmallestVertex(all, execution);
+  LargeArray<CellName> names(all.used());
+  CellsByVertex filed = fileUnderSmallestVertex(all, names, execution);
   complex.tetrahedra.resize(filed.cells.size());
-  complex.mirror.resize(filed.cells.size());
-  LargeArray<Index> number(all.used());
-  LargeArray<std::uint8_t> places(all.used());
   execution.parallelFor(complex.points.size(), kGrain / 8,
     [&](std::size_t begin, std::size_t end)
     {
@@ -154,34 +188,32 @@ void copyCells(const DelaunayCells& all, DelaunayComplex& complex, Execution& ex
         bucket.clear();
         for (Index i = filed.begin[vertex]; i < filed.begin[vertex + 1]; ++i)
         {
+          prefetch(all, filed.cells, i, filed.begin[end]);
           bucket.emplace_back(all.cells[filed.cells[i]], filed.cells[i]);
         }
-        std::sort(bucket.begin(), bucket.end(),
-          [](const NamedCell& a, const NamedCell& b) { return a.vertices < b.vertices; });
+        std::sort(bucket.begin(), bucket.end());
         Index tet = filed.begin[vertex];
         for (const NamedCell& named : bucket)
         {
           complex.tetrahedra[tet] = named.vertices;
           filed.cells[tet] = named.cell;
-          places[named.cell] = named.places;
-          number[named.cell] = tet++;
+          names[named.cell] = { tet, named.places };
+          ++tet;
         }
       }
     });
+  complex.mirror.resize(filed.cells.size());
   execution.parallelFor(complex.mirror.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
-      const auto placeOf = [&](Index cell, Facet k) { return places[cell] >> (2 * k) & 3U; };
       for (std::size_t tet = begin; tet < end; ++tet)
       {
+        prefetch(all, filed.cells, tet, end);
         const Index cell = filed.cells[tet];
         for (Facet k = 0; k < 4; ++k)
         {
-          const Facet other = all.cells[cell].mirror[k];
-          const Index beyond = other / 4;
-          complex.mirror[tet][placeOf(cell, k)] = all.cells[beyond].isTetrahedron()
-            ? 4 * number[beyond] + placeOf(beyond, other % 4)
-            : kNone;
+          const Facet beyond = all.cells[cell].mirror[k];
+          complex.mirror[tet][names[cell].facet(k) % 4] = names[beyond / 4].facet(beyond % 4);
         }
       }
     });

@@ -20,69 +20,72 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Exactly: are the points on a line?
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The largest coordinates of some vectors, by axis, for error bounds.
-struct Extent
-{
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-
-  void cover(const Vec3& v)
-  {
-    this->x = std::max(this->x, std::abs(v.x));
-    this->y = std::max(this->y, std::abs(v.y));
-    this->z = std::max(this->z, std::abs(v.z));
-  }
-  double volume() const { return this->x * this->y * this->z; }
-  double largest() const { return std::max({ this->x, this->y, this->z }); }
-
-  /// Above this no product of up to five coordinates loses digits by underflow that count.
-  bool allowsFilter() const { return std::min({ this->x, this->y, this->z }) > 1e-50; }
-};
-
-/// Bounds for the determinants below as multiples of the extent's volume: number of roundings on
-/// the longest path (8 and 17) times 2^-53 times number of monomials (6 and 24 times 3), and some.
+/// Bounds for determinants as multiples of the product of the largest coordinates by axis: number
+/// of roundings on the longest path (8 and 17) times 2^-53 times number of monomials (6 and 24
+/// times 3), and some.
 inline constexpr double kVolumeError = 6e-15;
 inline constexpr double kSphereError = 2e-13;
 
+/// Above this no product of up to five coordinates loses digits by underflow that count.
+inline constexpr double kSmallestExtent = 1e-50;
+
 /// insideCircumsphere() without the filter.
 bool insideCircumsphereExactly(const Corners& corners, const Vec3& p);
+
+/// Two numbers in one register.
+using Pair __attribute__((vector_size(16))) = double;
+
+inline Pair swapped(Pair pair)
+{
+  return Pair{ pair[1], pair[0] };
+}
+
+inline Pair larger(Pair a, Pair b)
+{
+  return a > b ? a : b;
+}
 
 /// Is p inside the circumsphere of a positively oriented tetrahedron? A point on the sphere is
 /// decided as if each point q had weight -eps(q), the lexicographically largest point having the
 /// largest eps: exact, without ties, the same for any order of the corners. p is no corner.
 /// Devillers, Teillaud, "Perturbations and vertex removal in a 3D Delaunay triangulation" (2003).
-inline bool insideCircumsphere(const Corners& corners, const Vec3& p)
+inline bool insideCircumsphere(
+  const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p)
 {
-  const Vec3 a = *corners[0] - p;
-  const Vec3 b = *corners[1] - p;
-  const Vec3 c = *corners[2] - p;
-  const Vec3 d = *corners[3] - p;
-  Extent extent;
-  extent.cover(a);
-  extent.cover(b);
-  extent.cover(c);
-  extent.cover(d);
+  // with p as origin, a and c side by side, and b and d
+  const Pair acX = Pair{ a.x, c.x } - p.x;
+  const Pair acY = Pair{ a.y, c.y } - p.y;
+  const Pair acZ = Pair{ a.z, c.z } - p.z;
+  const Pair bdX = Pair{ b.x, d.x } - p.x;
+  const Pair bdY = Pair{ b.y, d.y } - p.y;
+  const Pair bdZ = Pair{ b.z, d.z } - p.z;
+  // minors of two, three and four points
+  const Pair abCd = acX * bdY - bdX * acY;
+  const Pair bcDa = bdX * swapped(acY) - swapped(acX) * bdY;
+  const Pair acBd = Pair{ acX[0], bdX[0] } * Pair{ acY[1], bdY[1] } -
+    Pair{ acX[1], bdX[1] } * Pair{ acY[0], bdY[0] };
+  const Pair abcCda = acZ * bcDa + swapped(acZ) * abCd + Pair{ -bdZ[0], bdZ[1] } * acBd[0];
+  const Pair bcdDab = bdZ * swapped(abCd) + swapped(bdZ) * bcDa + Pair{ -acZ[1], acZ[0] } * acBd[1];
+  const Pair acLift = acX * acX + acY * acY + acZ * acZ;
+  const Pair bdLift = bdX * bdX + bdY * bdY + bdZ * bdZ;
+  const Pair terms = swapped(bdLift) * abcCda - acLift * bcdDab;
+  const double outside = terms[0] + terms[1];
 
-  const double ab = a.x * b.y - b.x * a.y;
-  const double bc = b.x * c.y - c.x * b.y;
-  const double cd = c.x * d.y - d.x * c.y;
-  const double da = d.x * a.y - a.x * d.y;
-  const double ac = a.x * c.y - c.x * a.y;
-  const double bd = b.x * d.y - d.x * b.y;
-  const double abc = a.z * bc - b.z * ac + c.z * ab;
-  const double bcd = b.z * cd - c.z * bd + d.z * bc;
-  const double cda = c.z * da + d.z * ac + a.z * cd;
-  const double dab = d.z * ab + a.z * bd + b.z * da;
-  const double outside = (dot(d, d) * abc - dot(c, c) * dab) + (dot(b, b) * cda - dot(a, a) * bcd);
-
-  const double largest = extent.largest();
-  const double error = kSphereError * extent.volume() * (largest * largest);
-  if (std::abs(outside) > error && extent.allowsFilter())
+  const auto extent = [](Pair v, Pair w)
+  {
+    const Pair both = larger(larger(v, -v), larger(w, -w));
+    return std::max(both[0], both[1]);
+  };
+  const double x = extent(acX, bdX);
+  const double y = extent(acY, bdY);
+  const double z = extent(acZ, bdZ);
+  const double largest = std::max({ x, y, z });
+  const double error = kSphereError * x * y * z * (largest * largest);
+  if (std::abs(outside) > error && std::min({ x, y, z }) > kSmallestExtent)
   {
     return outside < 0.0;
   }
-  return insideCircumsphereExactly(corners, p);
+  return insideCircumsphereExactly({ &a, &b, &c, &d }, p);
 }
 
 } // namespace scan

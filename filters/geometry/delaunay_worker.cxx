@@ -82,21 +82,22 @@ void DelaunayCells::makeRoom(std::size_t more)
 
 inline Index DelaunayWorker::Numbering::operator()(Index vertex)
 {
+  const std::uint64_t key = this->Round | vertex;
   for (Index place = vertex;; ++place)
   {
     Slot& slot = this->Slots[place % this->Slots.size()];
-    if (slot.round != this->Round)
+    if (slot.key == key)
+    {
+      return slot.number;
+    }
+    if (slot.key < this->Round) // of an earlier round
     {
       if (this->Count < kMost)
       {
-        slot = { vertex, this->Round, this->Count++ };
+        slot = { key, this->Count++ };
         return slot.number;
       }
       return kMost;
-    }
-    if (slot.vertex == vertex)
-    {
-      return slot.number;
     }
   }
 }
@@ -158,15 +159,19 @@ inline bool DelaunayWorker::moveTo(Index& cell, Index next)
 /// The facet, other than the one entered through, that parts the cell from p; -1 when p is inside.
 int DelaunayWorker::facetBefore(const DelaunayCell& cell, const Vec3& p, int entered) const
 {
-  std::array<Vec3, 4> to;
-  Extent extent;
-  for (int k = 0; k < 4; ++k)
+  const auto corner = [&](int k) -> const Vec3& { return this->All.points[cell.vertices[k]]; };
+  const std::array<Vec3, 4> to{ corner(0) - p, corner(1) - p, corner(2) - p, corner(3) - p };
+  const auto extent = [&](auto axis)
   {
-    to[k] = this->All.points[cell.vertices[k]] - p;
-    extent.cover(to[k]);
-  }
-  const double error = extent.allowsFilter() ? kVolumeError * extent.volume()
-                                             : std::numeric_limits<double>::infinity();
+    return std::max({ std::abs(to[0].*axis), std::abs(to[1].*axis), std::abs(to[2].*axis),
+      std::abs(to[3].*axis) });
+  };
+  const double x = extent(&Vec3::x);
+  const double y = extent(&Vec3::y);
+  const double z = extent(&Vec3::z);
+  const double error = std::min({ x, y, z }) > kSmallestExtent
+    ? kVolumeError * x * y * z
+    : std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k)
   {
     if (k == entered)
@@ -175,8 +180,8 @@ int DelaunayWorker::facetBefore(const DelaunayCell& cell, const Vec3& p, int ent
     }
     const auto& f = kFacetVertices[k];
     const double volume = dot(to[f[0]], cross(to[f[1]], to[f[2]]));
-    const auto corner = [&](int i) -> const Vec3& { return this->All.points[cell.vertices[f[i]]]; };
-    if (volume < -error || (volume <= error && orientation(corner(0), corner(1), corner(2), p) > 0))
+    if (volume < -error ||
+      (volume <= error && orientation(corner(f[0]), corner(f[1]), corner(f[2]), p) > 0))
     {
       return k;
     }
@@ -226,24 +231,29 @@ bool DelaunayWorker::locate(const Vec3& p, Index& found)
 /// circle.
 bool DelaunayWorker::inConflict(const DelaunayCell& cell, const Vec3& p) const
 {
-  const auto corner = [&](int k) { return &this->All.points[cell.vertices[k]]; };
+  const Vec3* const points = this->All.points.data();
+  const auto& v = cell.vertices;
   if (cell.isTetrahedron())
   {
-    return insideCircumsphere({ corner(0), corner(1), corner(2), corner(3) }, p);
+    return insideCircumsphere(points[v[0]], points[v[1]], points[v[2]], points[v[3]], p);
   }
-  const int side = orientation(*corner(0), *corner(1), *corner(2), p);
+  const int side = orientation(points[v[0]], points[v[1]], points[v[2]], p);
   return side != 0 ? side > 0 : this->inConflict(this->All.cells[cell.mirror[3] / 4], p);
 }
 
 /// All cells in conflict with p hang together: spreads from the first one.
 bool DelaunayWorker::findCavity(Index first, const Vec3& p)
 {
+  const DelaunayCell* const cells = this->All.cells.data();
   const auto addToCavity = [&](Index cell)
   {
     std::atomic_ref(this->All.marks[cell]).store(this->InCavity, std::memory_order_relaxed);
     this->Cavity.push_back(cell);
+    for (const Facet beyond : cells[cell].mirror) // will be needed soon
+    {
+      __builtin_prefetch(&cells[beyond / 4]);
+    }
   };
-  const DelaunayCell* const cells = this->All.cells.data();
   addToCavity(first);
   for (std::size_t i = 0; i < this->Cavity.size(); ++i)
   {

@@ -83,7 +83,7 @@ private:
 
     void reset()
     {
-      ++this->Round;
+      this->Round += std::uint64_t{ 1 } << 32;
       this->Count = 0;
     }
     /// The vertex's number, kMost when there are too many.
@@ -92,12 +92,11 @@ private:
   private:
     struct Slot
     {
-      Index vertex;
-      Index round; // when it was filled
+      std::uint64_t key; // round in which it was filled and vertex
       Index number;
     };
     std::array<Slot, 4 * kMost> Slots{};
-    Index Round = 0;
+    std::uint64_t Round = 0; // in the upper half
     Index Count = 0;
   };
 
