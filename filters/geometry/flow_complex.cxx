@@ -20,17 +20,9 @@ namespace
 constexpr double kRelativeError = 1e-14;
 constexpr double kUnderflow = 1e-290;
 
-enum class Sign
+bool isUnsure(double value, double magnitude)
 {
-  negative,
-  positive,
-  unsure
-};
-
-Sign filteredSign(double value, double magnitude)
-{
-  const double error = kRelativeError * magnitude + kUnderflow;
-  return value > error ? Sign::positive : value < -error ? Sign::negative : Sign::unsure;
+  return std::abs(value) <= kRelativeError * magnitude + kUnderflow;
 }
 
 /// Which facets of the tetrahedron are attached to it: those beyond which its circumcentre lies,
@@ -60,39 +52,127 @@ unsigned attachedFacetsOf(const std::array<Vec3, 4>& p)
   const double mb = c2 * d2 * nb * perimeter;
   const double mc = b2 * d2 * nc * perimeter;
   const double md = b2 * c2 * nd * perimeter;
-  const std::array<Sign, 4> signs{ filteredSign(la, 2.0 * b2 * c2 * d2 + mb + mc + md),
-    filteredSign(lb, mb), filteredSign(lc, mc), filteredSign(ld, md) };
+  const std::array<double, 4> values{ la, lb, lc, ld };
+  const std::array<double, 4> magnitudes{ 2.0 * b2 * c2 * d2 + mb + mc + md, mb, mc, md };
 
-  unsigned attached = 0;
+  unsigned attached = 0; // without branches: nobody can foresee them
+  unsigned unsure = 0;
   for (int k = 0; k < 4; ++k)
   {
+    attached |= static_cast<unsigned>(values[k] < 0.0) << k;
+    unsure |= static_cast<unsigned>(isUnsure(values[k], magnitudes[k])) << k;
+  }
+  for (; unsure != 0; unsure &= unsure - 1)
+  {
+    const int k = std::countr_zero(unsure);
     const auto& f = kFacetVertices[k];
-    const bool inside = signs[k] == Sign::unsure
-      ? insideSmallestSphere(p[f[0]], p[f[1]], p[f[2]], p[k])
-      : signs[k] == Sign::negative;
-    attached |= static_cast<unsigned>(inside) << k;
+    const bool inside = insideSmallestSphere(p[f[0]], p[f[1]], p[f[2]], p[k]);
+    attached = (attached & ~(1U << k)) | static_cast<unsigned>(inside) << k;
   }
   return attached;
 }
 
-/// Corner 0, 1, 2 of the triangle that sees the opposite edge at an obtuse angle, or -1.
-int obtuseCorner(const std::array<Vec3, 3>& p)
+/// The edges of a tetrahedron by their ends, and the other two vertices.
+constexpr int kEdges = 6;
+constexpr std::array<std::array<int, 2>, kEdges> kEdgeEnds{ { { 0, 1 }, { 0, 2 }, { 0, 3 },
+  { 1, 2 }, { 1, 3 }, { 2, 3 } } };
+constexpr std::array<std::array<int, 2>, kEdges> kEdgeOthers{ { { 2, 3 }, { 1, 3 }, { 1, 2 },
+  { 0, 3 }, { 0, 2 }, { 0, 1 } } };
+
+/// The edge between two vertices.
+constexpr int edgeBetween(int i, int j)
 {
-  for (int corner = 0; corner < 3; ++corner)
+  constexpr std::array<std::array<int, 4>, 4> kBetween{ { { -1, 0, 1, 2 }, { 0, -1, 3, 4 },
+    { 1, 3, -1, 5 }, { 2, 4, 5, -1 } } };
+  return kBetween[i][j];
+}
+
+/// Per facet and corner: the edge of the facet opposite the corner.
+constexpr auto kOppositeEdge = []
+{
+  std::array<std::array<int, 3>, 4> edges{};
+  for (int k = 0; k < 4; ++k)
   {
-    const Vec3& s = p[corner];
-    const Vec3& a = p[(corner + 1) % 3];
-    const Vec3& b = p[(corner + 2) % 3];
-    const Vec3 sa = a - s;
-    const Vec3 sb = b - s;
-    const Sign sign = filteredSign(dot(sa, sb), dot(sa, sa) + dot(sb, sb));
-    if (sign == Sign::unsure ? insideDiametralSphere(a, b, s) : sign == Sign::negative)
+    const auto& f = kFacetVertices[k];
+    edges[k] = { edgeBetween(f[1], f[2]), edgeBetween(f[2], f[0]), edgeBetween(f[0], f[1]) };
+  }
+  return edges;
+}();
+
+/// 1 + the corner of the triangle that sees the opposite edge at an obtuse angle, or 0; exactly.
+unsigned obtuseCorner(const std::array<const Vec3*, 3>& p)
+{
+  for (unsigned corner = 0; corner < 3; ++corner)
+  {
+    if (insideDiametralSphere(*p[(corner + 1) % 3], *p[(corner + 2) % 3], *p[corner]))
     {
-      return corner;
+      return 1 + corner;
     }
   }
-  return -1;
+  return 0;
 }
+
+/// Per facet, two bits: 1 + the corner with an obtuse angle, 0 where there is none.
+unsigned obtuseCornersOf(const std::array<Vec3, 4>& p)
+{
+  std::array<double, kEdges> squares; // of lengths
+  for (int e = 0; e < kEdges; ++e)
+  {
+    const Vec3 along = p[kEdgeEnds[e][1]] - p[kEdgeEnds[e][0]];
+    squares[e] = dot(along, along);
+  }
+  unsigned corners = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    const auto& opposite = kOppositeEdge[k];
+    const double a = squares[opposite[0]];
+    const double b = squares[opposite[1]];
+    const double c = squares[opposite[2]];
+    const double sum = a + b + c;
+    const double longest = std::max({ a, b, c });
+    const double cosine = sum - 2.0 * longest; // its sign
+    unsigned corner = 1U + static_cast<unsigned>(longest != a) * (1U + (longest != b));
+    corner &= 0U - static_cast<unsigned>(cosine < 0.0);
+    if (isUnsure(cosine, sum)) [[unlikely]]
+    {
+      const auto& f = kFacetVertices[k];
+      corner = obtuseCorner({ &p[f[0]], &p[f[1]], &p[f[2]] });
+    }
+    corners |= corner << (2 * k);
+  }
+  return corners;
+}
+
+/// From the bits above: the edges, a bit each, that a corner sees at an obtuse angle.
+constexpr auto kEdgesSeenObtuse = []
+{
+  std::array<std::uint8_t, 256> edges{};
+  for (unsigned corners = 0; corners < 256; ++corners)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const unsigned corner = corners >> (2 * k) & 3U;
+      edges[corners] |=
+        static_cast<std::uint8_t>(corner == 0 ? 0U : 1U << kOppositeEdge[k][corner - 1]);
+    }
+  }
+  return edges;
+}();
+
+/// From a bit per facet: the edges, a bit each, of these facets.
+constexpr auto kEdgesOfFacets = []
+{
+  std::array<std::uint8_t, 16> edges{};
+  for (unsigned facets = 0; facets < 16; ++facets)
+  {
+    for (int e = 0; e < kEdges; ++e)
+    {
+      const bool has = (facets >> kEdgeOthers[e][0] | facets >> kEdgeOthers[e][1]) & 1U;
+      edges[facets] |= static_cast<std::uint8_t>(has ? 1U << e : 0U);
+    }
+  }
+  return edges;
+}();
 
 } // namespace
 
@@ -101,40 +181,25 @@ FlowComplex::FlowComplex(const DelaunayComplex& complex, Execution& execution)
   , Attached(complex.tetCount())
   , Obtuse(complex.tetCount())
 {
-  constexpr std::size_t kGrain = 1 << 13;
-  execution.step("classify", 0, 2);
-  execution.parallelFor(complex.tetCount(), kGrain,
+  execution.step("classify", 0, 1);
+  execution.parallelFor(complex.tetCount(), 1 << 13,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t tet = begin; tet < end; ++tet)
       {
         const auto& v = complex.tetrahedra[tet];
-        this->Attached[tet] = static_cast<std::uint8_t>(attachedFacetsOf({ complex.points[v[0]],
-          complex.points[v[1]], complex.points[v[2]], complex.points[v[3]] }));
+        const std::array<Vec3, 4> p{ complex.points[v[0]], complex.points[v[1]],
+          complex.points[v[2]], complex.points[v[3]] };
+        this->Attached[tet] = static_cast<std::uint8_t>(attachedFacetsOf(p));
+        this->Obtuse[tet] = static_cast<std::uint8_t>(obtuseCornersOf(p));
       }
     });
-  execution.step("classify", 1, 2);
-  execution.parallelFor(complex.tetCount(), kGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t tet = begin; tet < end; ++tet)
-      {
-        unsigned corners = 0;
-        for (int k = 0; k < 4; ++k)
-        {
-          const Facet facet = 4 * static_cast<Facet>(tet) + static_cast<Facet>(k);
-          if (complex.canonical(facet) == facet && this->isFree(facet))
-          {
-            const Triangle v = complex.facetVertices(facet);
-            const int corner =
-              obtuseCorner({ complex.points[v[0]], complex.points[v[1]], complex.points[v[2]] });
-            corners |= static_cast<unsigned>(corner + 1) << (2 * k);
-          }
-        }
-        this->Obtuse[tet] = static_cast<std::uint8_t>(corners);
-      }
-    });
-  execution.step("classify", 2, 2);
+  execution.step("classify", 1, 1);
+}
+
+unsigned FlowComplex::edgesSeenObtuse(Index tet) const
+{
+  return kEdgesSeenObtuse[this->Obtuse[tet]];
 }
 
 Facet FlowComplex::exit(Index tet) const
@@ -181,30 +246,18 @@ double circumradiusSquared(const DelaunayComplex& complex, const Triangle& trian
 namespace
 {
 
-/// Is the edge opposite `apex` in the free triangle `start` critical, and `start` the first free
-/// triangle at it, so that each edge is found once?
-bool findsCriticalEdge(const FlowComplex& flow, Facet start, Index apex)
+/// Is the edge critical, and its tetrahedron the first one at it, so that each edge is found once?
+/// It is when no vertex around it lies inside its smallest sphere.
+bool findsCriticalEdge(const FlowComplex& flow, const CriticalEdge& edge)
 {
-  if (flow.obtuseVertex(start) == apex)
-  {
-    return false;
-  }
-  const DelaunayComplex& complex = flow.delaunay();
-  const Facet startMirror = complex.mirror[start / 4][start % 4];
-  return complex.walkWholeEdge(start, apex,
-    [&](Facet entering, Facet leaving, Facet beyond)
+  const Index first = edge.triangle / 4;
+  return flow.delaunay().walkWholeEdge(edge.triangle, edge.apex,
+    [&](Facet entering, Facet leaving, Facet)
     {
-      if (flow.isAttached(leaving))
-      {
-        return !flow.isAttached(entering); // both: the interval [edge, tetrahedron]
-      }
-      if (leaving == start || leaving == startMirror ||
-        (beyond != kNone && flow.isAttached(beyond)))
-      {
-        return true;
-      }
-      const Index ahead = complex.tetrahedra[entering / 4][entering % 4];
-      return std::min(leaving, beyond) > start && flow.obtuseVertex(leaving) != ahead;
+      const Index tet = entering / 4;
+      const auto across = static_cast<unsigned>(
+        edgeBetween(static_cast<int>(entering % 4), static_cast<int>(leaving % 4)));
+      return tet >= first && !(flow.edgesSeenObtuse(tet) >> (kEdges - 1 - across) & 1U);
     });
 }
 
@@ -218,19 +271,25 @@ std::vector<CriticalEdge> criticalEdges(
   return collect<CriticalEdge>(complex.tetCount(), execution,
     [&](Index tet, auto& found)
     {
-      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      unsigned towardsEarlier = 0; // facets
+      for (unsigned k = 0; k < 4; ++k)
       {
-        if (complex.canonical(facet) != facet || !flow.isFree(facet) || !wanted(facet))
+        towardsEarlier |= static_cast<unsigned>(complex.mirror[tet][k] < 4 * tet) << k;
+      }
+      const unsigned skipped = kEdgesOfFacets[towardsEarlier] | flow.edgesSeenObtuse(tet);
+      const auto& v = complex.tetrahedra[tet];
+      for (int e = 0; e < kEdges; ++e)
+      {
+        if (skipped >> e & 1U)
         {
           continue;
         }
-        const Triangle v = complex.facetVertices(facet);
-        for (int corner = 0; corner < 3; ++corner)
+        const Facet triangle = 4 * tet + static_cast<Facet>(kEdgeOthers[e][0]);
+        const CriticalEdge edge{ { v[kEdgeEnds[e][0]], v[kEdgeEnds[e][1]] }, triangle,
+          v[kEdgeOthers[e][1]] };
+        if (wanted(triangle) && findsCriticalEdge(flow, edge))
         {
-          if (findsCriticalEdge(flow, facet, v[corner]))
-          {
-            found.push_back({ { v[(corner + 1) % 3], v[(corner + 2) % 3] }, facet, v[corner] });
-          }
+          found.push_back(edge);
         }
       }
     });

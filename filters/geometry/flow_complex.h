@@ -43,14 +43,17 @@ public:
     return !this->isAttached(facet) && (other == kNone || !this->isAttached(other));
   }
 
-  /// For a free facet: the vertex at its obtuse angle, whose opposite edge e forms the interval
-  /// [e, triangle]; kNone when the triangle is critical.
+  /// The vertex at the facet's obtuse angle, kNone without one. When the facet is free, the
+  /// opposite edge e forms the interval [e, triangle], or the triangle is critical.
   Index obtuseVertex(Facet facet) const
   {
-    const Facet name = this->Complex.canonical(facet);
-    const unsigned corner = this->Obtuse[name / 4] >> (2 * (name % 4)) & 3U;
-    return corner == 0 ? kNone : this->Complex.facetVertices(name)[corner - 1];
+    const unsigned corner = this->Obtuse[facet / 4] >> (2 * (facet % 4)) & 3U;
+    return corner == 0 ? kNone : this->Complex.facetVertices(facet)[corner - 1];
   }
+
+  /// The edges of a tetrahedron, bits 0 to 5 for 01, 02, 03, 12, 13, 23, that one of its other two
+  /// vertices sees at an obtuse angle: they are not critical.
+  unsigned edgesSeenObtuse(Index tet) const;
 
   bool isCriticalTriangle(Facet facet) const
   {
@@ -64,7 +67,7 @@ public:
 private:
   const DelaunayComplex& Complex;
   std::vector<std::uint8_t> Attached; ///< bit k: facet k is attached to this tetrahedron
-  std::vector<std::uint8_t> Obtuse;   ///< two bits a facet, at canonical free facets: 1 + corner
+  std::vector<std::uint8_t> Obtuse;   ///< two bits a facet: 1 + its obtuse corner, or 0
 };
 
 /// Squared circumradius of a tetrahedron; large but finite or infinite for flat ones.
@@ -73,8 +76,8 @@ double circumradiusSquared(const DelaunayComplex& complex, Index tet);
 /// Squared circumradius of a triangle.
 double circumradiusSquared(const DelaunayComplex& complex, const Triangle& triangle);
 
-/// An edge that no interval pairs with a triangle or tetrahedron, and a free triangle that has it
-/// (there always is one: the attachments around an edge cannot run in a circle).
+/// An edge that no interval pairs with a triangle or tetrahedron, and a triangle that has it, seen
+/// from the first tetrahedron that has it.
 struct CriticalEdge
 {
   Segment vertices;
@@ -82,8 +85,8 @@ struct CriticalEdge
   Index apex; ///< the vertex of the triangle that is not on the edge
 };
 
-/// All critical edges (the Gabriel edges), in the order of their triangles: of each edge the first
-/// free triangle; only edges for which that triangle is `wanted`. Reports phase "edges".
+/// All critical edges (the Gabriel edges), in the order of their triangles; only edges for which
+/// that triangle is `wanted`. Reports phase "edges".
 std::vector<CriticalEdge> criticalEdges(
   const FlowComplex& flow, Execution& execution,
   const std::function<bool(Facet)>& wanted = [](Facet) { return true; });
