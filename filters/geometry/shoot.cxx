@@ -6,12 +6,12 @@
 #include "filters/geometry/delaunay_predicates.h"
 #include "filters/geometry/model_edit.h"
 #include "filters/geometry/point_triangle.h"
+#include "filters/geometry/tet_star.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
-#include <unordered_set>
 
 namespace scan
 {
@@ -37,22 +37,12 @@ struct Line
 template <class Visit>
 void forEachTetAt(const DelaunayComplex& complex, const Face& face, Visit&& visit)
 {
-  std::unordered_set<Index> seen{ face.tet };
-  std::vector<Index> pending{ face.tet };
-  while (!pending.empty())
-  {
-    const Index tet = pending.back();
-    pending.pop_back();
-    visit(tet);
-    for (int k = 0; k < 4; ++k)
+  forEachTetAround(complex, face.vertices, face.tet,
+    [&](Index tet)
     {
-      const Index beyond = complex.neighbour(tet, k);
-      if (!face.has(complex.tetrahedra[tet][k]) && beyond != kNone && seen.insert(beyond).second)
-      {
-        pending.push_back(beyond);
-      }
-    }
-  }
+      visit(tet);
+      return true;
+    });
 }
 
 /// Calls visit(facet) for the facets of a tetrahedron that have the face.

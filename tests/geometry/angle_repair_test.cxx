@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/angle_repair.h"
+
+#include "filters/geometry/dihedral_angle.h"
+#include "filters/geometry/mesh_checks.h"
+#include "filters/geometry/pushes.h"
+#include "tests/geometry/complex_corpus.h"
+#include "tests/geometry/edit_fixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+namespace scan::test
+{
+namespace
+{
+
+using Mode = WrapOptions::Mode;
+
+constexpr double kRadius = 0.6; // of the hole in the plate
+constexpr double kStep = 0.1;   // spacing of its points
+
+bool isNear(double a, double b)
+{
+  return std::abs(a - b) < 1e-6;
+}
+
+std::vector<Vec3> platePoints()
+{
+  return readPoints(std::string(SCAN_DATA_DIR) + "/plate_hole.xyz");
+}
+
+/// Which of the plate's feature lines a point is on: the rims of the hole, the twelve outer edges.
+std::vector<int> linesOf(const Vec3& p)
+{
+  const bool isTop = isNear(p.z, 1.0);
+  const bool isFlat = isTop || isNear(p.z, 0.0);
+  const bool isAtX = isNear(std::abs(p.x), 2.0);
+  const bool isAtY = isNear(std::abs(p.y), 2.0);
+  std::vector<int> lines;
+  if (isFlat && isNear(std::hypot(p.x, p.y), kRadius))
+  {
+    lines.push_back(isTop ? 1 : 0);
+  }
+  if (isFlat && isAtX)
+  {
+    lines.push_back(2 + (isTop ? 1 : 0) + (p.x > 0.0 ? 2 : 0));
+  }
+  if (isFlat && isAtY)
+  {
+    lines.push_back(6 + (isTop ? 1 : 0) + (p.y > 0.0 ? 2 : 0));
+  }
+  if (isAtX && isAtY)
+  {
+    lines.push_back(10 + (p.x > 0.0 ? 1 : 0) + (p.y > 0.0 ? 2 : 0));
+  }
+  return lines;
+}
+
+double distanceToLines(const Vec3& p)
+{
+  const double toFlat = std::min(std::abs(p.z), std::abs(p.z - 1.0));
+  const double toX = std::abs(std::abs(p.x) - 2.0);
+  const double toY = std::abs(std::abs(p.y) - 2.0);
+  return std::min({ std::hypot(std::hypot(p.x, p.y) - kRadius, toFlat), std::hypot(toX, toFlat),
+    std::hypot(toY, toFlat), std::hypot(toX, toY) });
+}
+
+bool isCorner(const Vec3& p)
+{
+  return linesOf(p).size() > 1;
+}
+
+/// Edges that turn by more than 30 degrees.
+std::vector<std::array<Vec3, 2>> featureEdges(const WrapModel& model)
+{
+  const DelaunayComplex& complex = model.scan->delaunay();
+  std::map<Segment, std::vector<Index>> apexes;
+  for (const Facet facet : surfaceFacets(model))
+  {
+    const Triangle v = complex.facetVertices(facet);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto [low, high] = std::minmax(v[k], v[(k + 1) % 3]);
+      apexes[{ low, high }].push_back(v[(k + 2) % 3]);
+    }
+  }
+  const auto& p = complex.points;
+  std::vector<std::array<Vec3, 2>> features;
+  for (const auto& [edge, apex] : apexes)
+  {
+    if (apex.size() == 2 &&
+      dihedralAngle(p[edge[0]], p[edge[1]], p[apex[0]], p[apex[1]]) <
+        std::numbers::pi * (1.0 - 30.0 / 180.0))
+    {
+      features.push_back({ p[edge[0]], p[edge[1]] });
+    }
+  }
+  return features;
+}
+
+/// Feature edges between points that share no feature line.
+std::size_t countStray(const std::vector<std::array<Vec3, 2>>& edges)
+{
+  return static_cast<std::size_t>(std::ranges::count_if(edges,
+    [](const std::array<Vec3, 2>& edge)
+    {
+      const std::vector<int> a = linesOf(edge[0]);
+      const std::vector<int> b = linesOf(edge[1]);
+      return std::ranges::find_first_of(a, b) == a.end();
+    }));
+}
+
+/// The lines as chains of all their points: a rim has as many edges as points, another line one
+/// less.
+std::size_t countIdeal(const std::vector<Vec3>& points)
+{
+  std::size_t edges = 0;
+  for (const Vec3& p : points)
+  {
+    edges += linesOf(p).size();
+  }
+  return edges - 12;
+}
+
+/// The plate without a part of the points on its feature lines; corners stay.
+std::vector<Vec3> damaged(std::vector<Vec3> points, double part, std::uint64_t seed)
+{
+  std::mt19937_64 random(seed);
+  std::erase_if(points,
+    [&](const Vec3& p)
+    {
+      return !linesOf(p).empty() && !isCorner(p) &&
+        std::ldexp(static_cast<double>(random() >> 11), -53) < part;
+    });
+  return points;
+}
+
+WrapModel openedPlate(const std::vector<Vec3>& points)
+{
+  Execution execution(1);
+  WrapModel model = wrappedModel(points, Mode::classic);
+  const auto& p = model.scan->delaunay().points;
+  const Facet overHole = std::ranges::min(surfaceFacets(model), {},
+    [&](Facet facet)
+    {
+      const Triangle v = model.scan->delaunay().facetVertices(facet);
+      const Vec3 middle = (p[v[0]] + p[v[1]] + p[v[2]]) * (1.0 / 3.0);
+      return std::hypot(middle.x, middle.y, middle.z - 1.0);
+    });
+  push(model, std::array{ overHole }, {}, { .deep = true }, execution);
+  return model;
+}
+
+void expectSameTopologyAndAllPoints(const WrapModel& before, const WrapModel& after)
+{
+  Execution execution(1);
+  const WrapResult was = surfaceOf(before, false, execution);
+  const WrapResult is = surfaceOf(after, false, execution);
+  EXPECT_TRUE(std::ranges::includes(is.scanPointIds, was.scanPointIds)) << "points were lost";
+  const MeshReport mesh = describeMesh(is.surface);
+  EXPECT_TRUE(mesh.isClosed);
+  EXPECT_TRUE(mesh.isManifold);
+  EXPECT_EQ(mesh.eulerCharacteristic, describeMesh(was.surface).eulerCharacteristic);
+}
+
+TEST(RepairAngles, BitesAlongRimsAndEdgesAreGone)
+{
+  Execution execution(1);
+  const std::vector<Vec3> all = platePoints();
+  std::size_t strayBefore = 0;
+  for (std::uint64_t seed = testSeed(); seed < testSeed() + 8; ++seed)
+  {
+    SCOPED_TRACE("SCAN_TEST_SEED=" + std::to_string(seed));
+    const std::vector<Vec3> points = damaged(all, 0.05, seed);
+    const WrapModel before = openedPlate(points);
+    WrapModel model = before;
+    const AngleRepairReport report = repairAngles(model, {}, {}, execution);
+    expectReported(before, report, model);
+    expectSameTopologyAndAllPoints(before, model);
+
+    strayBefore += countStray(featureEdges(before));
+    const std::vector<std::array<Vec3, 2>> features = featureEdges(model);
+    EXPECT_EQ(countStray(features), 0U);
+    EXPECT_EQ(features.size(), countIdeal(points));
+    const auto& p = before.scan->delaunay().points;
+    for (const auto* changed : { &report.surface.gone, &report.surface.added })
+    {
+      for (const Facet facet : *changed)
+      {
+        const Triangle v = model.scan->delaunay().facetVertices(facet);
+        EXPECT_TRUE(
+          std::ranges::any_of(v, [&](Index i) { return distanceToLines(p[i]) < 2.0 * kStep; }))
+          << "a smooth part was changed";
+      }
+    }
+  }
+  EXPECT_GT(strayBefore, 50U) << "nothing to repair";
+}
+
+TEST(RepairAngles, SolidModelsStaySolid)
+{
+  Execution execution(1);
+  const WrapModel before = wrappedModel(damaged(platePoints(), 0.15, testSeed()), Mode::automatic);
+  WrapModel model = before;
+  const AngleRepairReport report = repairAngles(model, {}, {}, execution);
+  expectReported(before, report, model);
+  expectSameTopologyAndAllPoints(before, model);
+  EXPECT_GT(report.flips, 0U);
+  EXPECT_TRUE(model.isSolid);
+  EXPECT_LT(countStray(featureEdges(model)), countStray(featureEdges(before)));
+}
+
+TEST(RepairAngles, SmoothSurfacesStayAsTheyAre)
+{
+  Execution execution(1);
+  const WrapModel before =
+    wrappedModel(readPoints(std::string(SCAN_DATA_DIR) + "/torus.xyz"), Mode::automatic);
+  WrapModel model = before;
+  EXPECT_EQ(repairAngles(model, {}, {}, execution).flips, 0U);
+  EXPECT_EQ(*model.current, *before.current);
+}
+
+TEST(RepairAngles, WorksOnTheRegionOnly)
+{
+  Execution execution(1);
+  const WrapModel before = openedPlate(damaged(platePoints(), 0.05, testSeed()));
+  const auto isAtTop = [&](Facet facet)
+  {
+    return std::ranges::all_of(before.scan->delaunay().facetVertices(facet),
+      [&](Index v) { return before.scan->delaunay().points[v].z > 0.5; });
+  };
+  std::vector<Facet> top = surfaceFacets(before);
+  std::erase_if(top, [&](Facet facet) { return !isAtTop(facet); });
+  WrapModel model = before;
+  const AngleRepairReport report = repairAngles(model, top, {}, execution);
+  EXPECT_GT(report.flips, 0U);
+  EXPECT_TRUE(std::ranges::all_of(report.surface.gone, isAtTop));
+  WrapModel everywhere = before;
+  EXPECT_GT(repairAngles(everywhere, {}, {}, execution).flips, report.flips);
+}
+
+TEST(RepairAngles, TheNumberOfThreadsDoesNotMatter)
+{
+  const WrapModel before = openedPlate(damaged(platePoints(), 0.3, testSeed()));
+  WrapModel one = before;
+  WrapModel four = before;
+  Execution single(1);
+  Execution several(4);
+  repairAngles(one, {}, {}, single);
+  repairAngles(four, {}, {}, several);
+  EXPECT_EQ(*one.current, *four.current);
+}
+
+} // namespace
+} // namespace scan::test
