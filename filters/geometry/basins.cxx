@@ -24,39 +24,12 @@ double halfDiagonal(const std::vector<Vec3>& points)
   return 0.5 * std::sqrt(dot(high - low, high - low));
 }
 
-/// Largest circumradius in each basin, at most half the box diagonal.
-std::vector<double> basinSizes(
-  const DelaunayComplex& complex, const Basins& basins, Execution& execution)
-{
-  LargeArray<double> radii2(complex.tetCount());
-  execution.parallelFor(complex.tetCount(), 1 << 14,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (auto tet = static_cast<Index>(begin); tet < end; ++tet)
-      {
-        radii2[tet] = circumradiusSquared(complex, tet);
-      }
-    });
-  std::vector<double> sizes(basins.count(), 0.0);
-  for (Index tet = 0; tet < complex.tetCount(); ++tet)
-  {
-    double& size = sizes[basins.ofTet[tet]];
-    size = std::max(size, radii2[tet]);
-  }
-  const double cap = halfDiagonal(complex.points);
-  for (double& size : sizes)
-  {
-    size = std::min(cap, std::sqrt(size));
-  }
-  return sizes;
-}
-
 } // namespace
 
 Basins findBasins(const FlowComplex& flow, Execution& execution)
 {
   const DelaunayComplex& complex = flow.delaunay();
-  execution.step("basins", 0, 3);
+  execution.step("basins", 0, 2);
   LargeArray<Facet> exits(complex.tetCount()); // mirror of the exit facet, kNone where it ends
   execution.parallelFor(complex.tetCount(), 1 << 14,
     [&](std::size_t begin, std::size_t end)
@@ -66,9 +39,10 @@ Basins findBasins(const FlowComplex& flow, Execution& execution)
         exits[tet] = flow.isSink(tet) ? kNone : complex.mirror[tet][flow.exit(tet) % 4];
       }
     });
-  execution.step("basins", 1, 3);
+  execution.step("basins", 1, 2);
   Basins basins;
   basins.ofTet.assign(complex.tetCount(), kNone);
+  const double cap = halfDiagonal(complex.points);
   std::vector<Index> path;
   for (Index tet = 0; tet < complex.tetCount(); ++tet)
   {
@@ -81,6 +55,8 @@ Basins findBasins(const FlowComplex& flow, Execution& execution)
       {
         basins.ofTet[current] = basins.count();
         basins.sink.push_back(flow.isSink(current) ? current : kNone);
+        // the flow goes from small to large: it ends at the largest
+        basins.size.push_back(std::min(cap, std::sqrt(circumradiusSquared(complex, current))));
         break;
       }
       current = exits[current] / 4;
@@ -90,9 +66,7 @@ Basins findBasins(const FlowComplex& flow, Execution& execution)
       basins.ofTet[on] = basins.ofTet[current];
     }
   }
-  execution.step("basins", 2, 3);
-  basins.size = basinSizes(complex, basins, execution);
-  execution.step("basins", 3, 3);
+  execution.step("basins", 2, 2);
   return basins;
 }
 
