@@ -1,7 +1,13 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/base/error.h"
+#include "filters/wrap/vtkScanFineTuneFilter.h"
+#include "filters/wrap/vtkScanFlattenFilter.h"
 #include "filters/wrap/vtkScanPullFilter.h"
 #include "filters/wrap/vtkScanPushFilter.h"
+#include "filters/wrap/vtkScanRemoveWebsFilter.h"
+#include "filters/wrap/vtkScanRepairAnglesFilter.h"
+#include "filters/wrap/vtkScanShootFilter.h"
 #include "filters/wrap/vtkScanWrapFilter.h"
 #include "pipeline/operation_rows.h"
 
@@ -162,12 +168,6 @@ void setMarks(vtkScanWrapEditFilter& filter, const ParameterValues& values)
   filter.SetWithin(valueOf<Length>(values, "within"));
 }
 
-void setCommon(vtkScanWrapEditFilter& filter, const ParameterValues& values)
-{
-  filter.SetPreview(valueOf<bool>(values, "preview"));
-  filter.SetManifold(valueOf<bool>(values, "manifold"));
-}
-
 template <class Filter>
 void setBlocks(Filter& filter, const ParameterValues& values)
 {
@@ -183,12 +183,13 @@ void setBlocks(Filter& filter, const ParameterValues& values)
 Results editResults(const vtkScanWrapEditFilter& filter)
 {
   const vtkScanWrapEditReport& report = filter.GetReport();
+  const EditReport& edit = report.Edit;
   return {
     { "marks", count(report.Marks) },
-    { "tetrahedra-change", count(report.Change.tetrahedra) },
-    { "euler-change", count(report.Change.eulerCharacteristic()) },
-    { "triangles-gone", count(static_cast<std::int64_t>(report.Surface.gone.size())) },
-    { "triangles-new", count(static_cast<std::int64_t>(report.Surface.added.size())) },
+    { "tetrahedra-change", count(edit.change.tetrahedra) },
+    { "euler-change", count(edit.change.eulerCharacteristic()) },
+    { "triangles-gone", count(static_cast<std::int64_t>(edit.surface.gone.size())) },
+    { "triangles-new", count(static_cast<std::int64_t>(edit.surface.added.size())) },
     { "points-before", count(report.Before.pointsOnSurface) },
     { "points-on-surface", count(report.After.pointsOnSurface) },
     { "tetrahedra-kept", count(report.After.tetrahedraKept) },
@@ -212,77 +213,164 @@ std::string numbersOf(const std::vector<BlockName>& blocks)
 
 std::string editNote(vtkAlgorithm& algorithm)
 {
-  const auto& filter = as<vtkScanWrapEditFilter>(algorithm);
-  const vtkScanWrapEditReport& report = filter.GetReport();
-  const bool isSame = report.Surface.gone.empty() && report.Surface.added.empty();
-  return isSame ? "nothing changed" : std::string();
+  const SurfaceChange& change = as<vtkScanWrapEditFilter>(algorithm).GetReport().Edit.surface;
+  return change.gone.empty() && change.added.empty() ? "nothing changed" : std::string();
+}
+
+/// A row of the wrap stage: an edit with its own parameters and results beside the common ones.
+template <class Filter>
+Operation editOperation(std::string verb, std::string help, std::string example,
+  std::vector<Parameter> parameters, void (*set)(Filter&, const ParameterValues&),
+  Results (*found)(const Filter&))
+{
+  Operation row;
+  row.verb = std::move(verb);
+  row.stage = Stage::wrap;
+  row.help = std::move(help);
+  row.example = std::move(example);
+  row.parameters = with(with(markParameters(), parameters), { kPreview, kManifold });
+  row.make = [set](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
+  {
+    const auto filter = vtkSmartPointer<Filter>::New();
+    setMarks(*filter, values);
+    filter->SetPreview(valueOf<bool>(values, "preview"));
+    filter->SetManifold(valueOf<bool>(values, "manifold"));
+    set(*filter, values);
+    return filter;
+  };
+  row.results = [found](vtkAlgorithm& algorithm) -> Results
+  {
+    const auto& filter = as<Filter>(algorithm);
+    Results results = editResults(filter);
+    const Results own = found(filter);
+    results.insert(results.begin() + 1, own.begin(), own.end());
+    return results;
+  };
+  row.note = editNote;
+  return row;
 }
 
 Operation pushOperation()
 {
-  Operation row;
-  row.verb = "push";
-  row.stage = Stage::wrap;
-  row.help = "Push the surface in: remove the blocks behind the marks";
-  row.example = "scanwrap plate.xyz wrap --mode=classic push --at=0,0,0 --deep -o plate.stl";
-  row.parameters = with(with(markParameters(), kBlockParameters), { kPreview, kManifold });
-  row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
-  {
-    const auto filter = vtkSmartPointer<vtkScanPushFilter>::New();
-    setMarks(*filter, values);
-    setBlocks(*filter, values);
-    setCommon(*filter, values);
-    return filter;
-  };
-  row.results = [](vtkAlgorithm& algorithm) -> Results
-  {
-    const auto& filter = as<vtkScanPushFilter>(algorithm);
-    Results results = editResults(filter);
-    results.insert(results.begin() + 1,
-      { { "blocks-removed", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
+  return editOperation<vtkScanPushFilter>("push",
+    "Push the surface in: remove the blocks behind the marks",
+    "scanwrap plate.xyz wrap --mode=classic push --at=0,0,0 --deep -o plate.stl", kBlockParameters,
+    setBlocks<vtkScanPushFilter>,
+    [](const vtkScanPushFilter& filter) -> Results
+    {
+      return { { "blocks-removed", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
         { "doors-removed", count(filter.GetDoors()) },
-        { "blocks", numbersOf(filter.GetBlocks()) } });
-    return results;
-  };
-  row.note = editNote;
-  return row;
+        { "blocks", numbersOf(filter.GetBlocks()) } };
+    });
 }
 
 Operation pullOperation()
 {
-  Operation row;
-  row.verb = "pull";
-  row.stage = Stage::wrap;
-  row.help = "Pull the surface out again: fill removed blocks";
-  row.example =
-    "scanwrap plate.xyz wrap --mode=classic push --at=0,0,0 pull --at=0,0,0 -o plate.stl";
-  row.parameters = with(with(markParameters(), kBlockParameters), { kPreview, kManifold });
-  row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
-  {
-    const auto filter = vtkSmartPointer<vtkScanPullFilter>::New();
-    setMarks(*filter, values);
-    setBlocks(*filter, values);
-    setCommon(*filter, values);
-    return filter;
-  };
-  row.results = [](vtkAlgorithm& algorithm) -> Results
-  {
-    const auto& filter = as<vtkScanPullFilter>(algorithm);
-    Results results = editResults(filter);
-    results.insert(results.begin() + 1,
-      { { "blocks-added", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
-        { "blocks", numbersOf(filter.GetBlocks()) } });
-    return results;
-  };
-  row.note = editNote;
-  return row;
+  return editOperation<vtkScanPullFilter>("pull", "Pull the surface out again: fill removed blocks",
+    "scanwrap plate.xyz wrap --mode=classic push --at=0,0,0 pull --at=0,0,0 -o plate.stl",
+    kBlockParameters, setBlocks<vtkScanPullFilter>,
+    [](const vtkScanPullFilter& filter) -> Results
+    {
+      return { { "blocks-added", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
+        { "blocks", numbersOf(filter.GetBlocks()) } };
+    });
+}
+
+Operation shootOperation()
+{
+  return editOperation<vtkScanShootFilter>(
+    "shoot", "Shoot through the model: push every block on the way",
+    "scanwrap pipe.xyz wrap --mode=classic shoot --at=0,0,5 --along=0,0,-1 -o pipe.stl",
+    { { .name = "along",
+      .defaultValue = PointList(),
+      .help = "the way as dx,dy,dz; straight into the model where it is not given" } },
+    [](vtkScanShootFilter& filter, const ParameterValues& values)
+    {
+      const auto& along = valueOf<PointList>(values, "along");
+      if (along.size() > 1)
+      {
+        throw Error(ErrorCode::badParameter, "--along: one way is enough; shoot once more");
+      }
+      for (const Vec3& way : along)
+      {
+        filter.SetDirection(way.x, way.y, way.z);
+      }
+    },
+    [](const vtkScanShootFilter& filter) -> Results
+    {
+      return { { "blocks-removed", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
+        { "blocks", numbersOf(filter.GetBlocks()) } };
+    });
+}
+
+Operation fineTuneOperation()
+{
+  return editOperation<vtkScanFineTuneFilter>(
+    "fine-tune", "Remove or fill single tetrahedra at the marks",
+    "scanwrap scan.xyz wrap fine-tune --at=1,2,3 --fill -o part.stl",
+    { { .name = "fill",
+      .defaultValue = false,
+      .help = "add the tetrahedron in front instead of removing the one behind" } },
+    [](vtkScanFineTuneFilter& filter, const ParameterValues& values)
+    { filter.SetFill(valueOf<bool>(values, "fill")); },
+    [](const vtkScanFineTuneFilter&) { return Results(); });
+}
+
+Operation removeWebsOperation()
+{
+  return editOperation<vtkScanRemoveWebsFilter>(
+    "remove-webs", "Remove sheets that span what was not scanned or hang over",
+    "scanwrap scan.xyz wrap --mode=classic remove-webs -o part.stl",
+    { { .name = "factor",
+      .defaultValue = 4.0,
+      .help = "a triangle is sparse when its circumradius exceeds so many local spacings",
+      .minimum = 0 } },
+    [](vtkScanRemoveWebsFilter& filter, const ParameterValues& values)
+    { filter.SetFactor(valueOf<double>(values, "factor")); },
+    [](const vtkScanRemoveWebsFilter& filter) -> Results
+    {
+      const WebReport& webs = filter.GetWebReport();
+      return { { "sparse-triangles", count(webs.sparse) },
+        { "hanging-triangles", count(webs.hanging) } };
+    });
+}
+
+Operation flattenOperation()
+{
+  return editOperation<vtkScanFlattenFilter>(
+    "flatten", "Make sheets of parts without thickness",
+    "scanwrap sheet.xyz wrap --mode=classic flatten -o sheet.stl", {},
+    [](vtkScanFlattenFilter&, const ParameterValues&) {},
+    [](const vtkScanFlattenFilter& filter) -> Results {
+      return { { "parts-flattened", count(filter.GetParts()) } };
+    });
+}
+
+Operation repairAnglesOperation()
+{
+  return editOperation<vtkScanRepairAnglesFilter>(
+    "repair-angles", "Repair bites along edges and rims",
+    "scanwrap plate.xyz wrap repair-angles -o plate.stl",
+    { { .name = "feature-angle",
+      .defaultValue = 30.0,
+      .help = "degrees by which the surface turns at an edge or rim, at least",
+      .minimum = 0,
+      .maximum = 179 } },
+    [](vtkScanRepairAnglesFilter& filter, const ParameterValues& values)
+    { filter.SetFeatureAngle(valueOf<double>(values, "feature-angle")); },
+    [](const vtkScanRepairAnglesFilter& filter) -> Results
+    {
+      const AngleRepairReport& repairs = filter.GetRepairReport();
+      return { { "repairs", count(repairs.repairs) }, { "flips", count(repairs.flips) } };
+    });
 }
 
 } // namespace
 
 std::vector<Operation> wrapOperations()
 {
-  return { wrapOperation(), pushOperation(), pullOperation() };
+  return { wrapOperation(), pushOperation(), pullOperation(), shootOperation(), fineTuneOperation(),
+    removeWebsOperation(), flattenOperation(), repairAnglesOperation() };
 }
 
 } // namespace scan

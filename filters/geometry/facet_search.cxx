@@ -54,6 +54,15 @@ Facet nearestFacet(const DelaunayComplex& complex, std::span<const Facet> facets
   return best.facet;
 }
 
+Facet facetTowards(const DelaunayComplex& complex, Facet facet, const Vec3& point)
+{
+  const Triangle v = complex.facetVertices(facet);
+  const Vec3& a = complex.points[v[0]];
+  const Vec3 outward = cross(complex.points[v[1]] - a, complex.points[v[2]] - a);
+  const Facet mirror = complex.mirror[facet / 4][facet % 4];
+  return mirror != kNone && dot(point - a, outward) > 0.0 ? mirror : facet;
+}
+
 std::vector<Facet> facetsWithin(const DelaunayComplex& complex, std::span<const Facet> facets,
   const Vec3& point, double distance, Execution& execution)
 {

@@ -16,6 +16,10 @@ namespace scan
 Facet nearestFacet(const DelaunayComplex& complex, std::span<const Facet> facets, const Vec3& point,
   Execution& execution);
 
+/// The triangle as the facet of its tetrahedron on the side of a point; on the hull there may be
+/// none, and the only name is returned.
+Facet facetTowards(const DelaunayComplex& complex, Facet facet, const Vec3& point);
+
 /// Those that come nearer to a point than a distance, in their order.
 std::vector<Facet> facetsWithin(const DelaunayComplex& complex, std::span<const Facet> facets,
   const Vec3& point, double distance, Execution& execution);

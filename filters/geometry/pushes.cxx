@@ -3,7 +3,6 @@
 #include "filters/geometry/pushes.h"
 
 #include <algorithm>
-#include <memory>
 #include <unordered_set>
 
 namespace scan
@@ -53,18 +52,17 @@ public:
     , Run(execution)
     , TheBlocks(model.scan->blocks(execution))
     , Complex(model.scan->delaunay())
-    , Next(std::make_shared<WrapComplex>(*model.current))
-    , Editor(*Next, *model.lines)
+    , State(model)
+    , Editor(State.editor())
   {
   }
 
   void push(std::span<const Facet> triangles, std::span<const BlockName> named)
   {
-    WrapModel now = this->Model;
-    now.current = this->Next;
+    const WrapModel now = this->State.now();
     for (const Facet triangle : triangles)
     {
-      if (isOnSurface(*this->Next, triangle))
+      if (isOnSurface(this->State.kept(), triangle))
       {
         this->removeBehind(triangle, blockBehind(now, this->TheBlocks, triangle));
         this->collapse();
@@ -72,7 +70,7 @@ public:
     }
     for (const BlockName& block : named)
     {
-      if (isKept(*this->Next, this->TheBlocks, block))
+      if (isKept(this->State.kept(), this->TheBlocks, block))
       {
         this->removeBlock(block);
         this->collapse();
@@ -93,7 +91,7 @@ public:
       {
         this->forEachInReach(block.name, [&](Index volume) { this->addVolume(volume); });
       }
-      else if (!this->Next->keepsTriangle(block.name))
+      else if (!this->State.kept().keepsTriangle(block.name))
       {
         this->Editor.addLowerSetOfTriangle(block.name, this->limits(block), this->Run);
         this->Report.blocks.push_back(block);
@@ -103,9 +101,7 @@ public:
 
   PushReport finish()
   {
-    this->Report.change = this->Editor.change();
-    this->Report.surface = compareSurfaces(*this->Model.current, *this->Next, this->Editor);
-    this->Model.current = this->Next;
+    static_cast<EditReport&>(this->Report) = this->State.finish();
     return std::move(this->Report);
   }
 
@@ -141,16 +137,16 @@ private:
 
   void removeBehind(Facet triangle, const BlockName& block)
   {
-    if (block.isSheet || this->Model.isSolid || isKept(*this->Next, this->TheBlocks, block))
+    if (block.isSheet || this->Model.isSolid || isKept(this->State.kept(), this->TheBlocks, block))
     {
       this->removeBlock(block);
       return;
     }
-    const Index behind = this->Next->keepsTet(triangle / 4)
+    const Index behind = this->State.kept().keepsTet(triangle / 4)
       ? triangle / 4
       : this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
-    this->removeTets(
-      floodBasin(*this->Model.scan, behind, [&](Index tet) { return this->Next->keepsTet(tet); }));
+    this->State.removeWhole(floodBasin(
+      *this->Model.scan, behind, [&](Index tet) { return this->State.kept().keepsTet(tet); }));
     this->Report.blocks.push_back(block);
   }
 
@@ -160,7 +156,7 @@ private:
     {
       this->forEachInReach(block.name, [&](Index volume) { this->removeVolume(volume); });
     }
-    else if (this->Next->isSheet(block.name))
+    else if (this->State.kept().isSheet(block.name))
     {
       this->Editor.removeSheet(block.name);
       this->Report.blocks.push_back(block);
@@ -172,14 +168,14 @@ private:
     if (this->Model.isSolid)
     {
       std::vector<Index> tets = tetsOfBasin(*this->Model.scan, block);
-      std::erase_if(tets, [&](Index tet) { return !this->Next->keepsTet(tet); });
+      std::erase_if(tets, [&](Index tet) { return !this->State.kept().keepsTet(tet); });
       if (tets.empty())
       {
         return;
       }
-      this->removeTets(tets);
+      this->State.removeWhole(tets);
     }
-    else if (const Index sink = this->TheBlocks.sink(block); this->Next->keepsTet(sink))
+    else if (const Index sink = this->TheBlocks.sink(block); this->State.kept().keepsTet(sink))
     {
       this->Editor.removeTet(sink);
     }
@@ -188,27 +184,6 @@ private:
       return;
     }
     this->Report.blocks.push_back({ .isSheet = false, .name = block });
-  }
-
-  /// Removes tetrahedra and, between what is gone, walls that no longer collapse: all of them in a
-  /// solid model, elsewhere those that went with one of the tetrahedra.
-  void removeTets(const std::vector<Index>& tets)
-  {
-    for (const Index tet : tets)
-    {
-      this->Editor.removeTet(tet);
-    }
-    for (const Index tet : tets)
-    {
-      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-      {
-        if (this->Next->isSheet(facet) &&
-          (this->Model.isSolid || !this->TheBlocks.flow().isFree(facet)))
-        {
-          this->Editor.removeSheet(facet);
-        }
-      }
-    }
   }
 
   void removeDoors()
@@ -239,7 +214,7 @@ private:
 
   void removeIfBare(const Door& door)
   {
-    if (this->Next->isSheet(door.triangle) &&
+    if (this->State.kept().isSheet(door.triangle) &&
       (this->TheBlocks.passes(door.a, door, this->Options.reach) ||
         this->TheBlocks.passes(door.b, door, this->Options.reach)))
     {
@@ -271,7 +246,7 @@ private:
         this->Editor.addTet(tet);
       }
     }
-    else if (!isKept(*this->Next, this->TheBlocks, name))
+    else if (!isKept(this->State.kept(), this->TheBlocks, name))
     {
       this->Editor.addLowerSet(this->TheBlocks.sink(block), this->limits(name), this->Run);
     }
@@ -286,8 +261,8 @@ private:
   Execution& Run;
   const Blocks& TheBlocks;
   const DelaunayComplex& Complex;
-  std::shared_ptr<WrapComplex> Next;
-  WrapEditor Editor;
+  ModelEdit State;
+  WrapEditor& Editor;
   std::unordered_set<Index> Reached;
   PushReport Report;
 };

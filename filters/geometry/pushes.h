@@ -4,7 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/block_marks.h"
-#include "filters/geometry/surface_change.h"
+#include "filters/geometry/model_edit.h"
 #include "filters/geometry/wrap_model.h"
 
 #include <span>
@@ -19,13 +19,11 @@ struct PushOptions
   double reach = 1.5; ///< kappa >= 1: one passes from a block of size r through doors of r / kappa
 };
 
-/// What a push or pull did. The Euler characteristic of the complex changes by `change`.
-struct PushReport
+/// What a push or pull did.
+struct PushReport : EditReport
 {
   std::vector<BlockName> blocks; ///< removed or added, in the order they were reached
   Index doors = 0;               ///< walls removed between blocks that are both gone
-  WrapChange change;
-  SurfaceChange surface;
 };
 
 /// Removes the blocks that the triangles of the surface belong to, and those given by name;

@@ -127,6 +127,18 @@ void WrapEditor::removeSheet(Facet facet)
 /// that are left may form an interval with it now.
 void WrapEditor::reviewEdge(EdgeOfTriangle edge)
 {
+  // usually another tetrahedron is kept next to the one that went with the triangle: without a
+  // walk it is clear that the edge stays, and that only [edge, this tetrahedron] may collapse
+  const Index tet = edge.triangle / 4;
+  const Index next = this->Complex.neighbour(tet, this->Complex.localIndex(tet, edge.apex));
+  if (next != kNone && this->Kept.keepsTet(next))
+  {
+    if (std::popcount(this->Flow.attachedFacets(next)) == 2)
+    {
+      this->Tets.push_back(next);
+    }
+    return;
+  }
   int count = 0;
   Facet last = kNone;
   forEachTriangleAtEdge(this->Complex, edge,

@@ -35,6 +35,5 @@ void vtkScanPullFilter::Edit(vtkScanWrapData& wrap, scan::WrapModel& model,
   const scan::PushOptions options{ .deep = this->Deep, .reach = this->Reach };
   const scan::PushReport pulled = pull(model, removed, options, execution);
   this->Blocks = pulled.blocks;
-  report.Change = pulled.change;
-  report.Surface = pulled.surface;
+  report.Edit = pulled;
 }

@@ -28,6 +28,5 @@ void vtkScanPushFilter::Edit(vtkScanWrapData& wrap, scan::WrapModel& model,
   const scan::PushReport pushed = push(model, marks, named, options, execution);
   this->Blocks = pushed.blocks;
   this->Doors = pushed.doors;
-  report.Change = pushed.change;
-  report.Surface = pushed.surface;
+  report.Edit = pushed;
 }

@@ -67,7 +67,8 @@ std::vector<scan::Facet> vtkScanWrapEditFilter::FindMarks(
     }
     else if (!facets.empty())
     {
-      marks.push_back(nearestFacet(complex, facets, point, execution));
+      marks.push_back(
+        facetTowards(complex, nearestFacet(complex, facets, point, execution), point));
     }
   }
   return marks;

@@ -4,7 +4,7 @@
 
 #include "filters/base/length.h"
 #include "filters/base/vtkScanPolyDataFilter.h"
-#include "filters/geometry/surface_change.h"
+#include "filters/geometry/model_edit.h"
 #include "filters/wrap/vtkScanWrapData.h"
 
 #include <vector>
@@ -13,8 +13,7 @@
 struct vtkScanWrapEditReport
 {
   scan::Index Marks = 0; ///< triangles that were marked
-  scan::WrapChange Change;
-  scan::SurfaceChange Surface;
+  scan::EditReport Edit;
   scan::WrapReport Before; ///< of the wrap as it came
   scan::WrapReport After;
 };
@@ -65,11 +64,12 @@ protected:
   vtkScanWrapEditFilter() = default;
   ~vtkScanWrapEditFilter() override = default;
 
-  /// Gives the model, that of the input, a new state and fills Marks, Change and Surface.
+  /// Gives the model, that of the input, a new state and fills Marks and Edit.
   virtual void Edit(vtkScanWrapData& wrap, scan::WrapModel& model, vtkScanWrapEditReport& report,
     scan::Execution& execution) = 0;
 
-  /// All marks of the wrap's surface.
+  /// All marks of the wrap's surface, the triangles given by their number first. One given by a
+  /// point is named from the tetrahedron on the side of the point.
   std::vector<scan::Facet> FindMarks(vtkScanWrapData& wrap, scan::Execution& execution) const;
 
   /// Those given as triangles.
