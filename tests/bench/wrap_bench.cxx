@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole runs of `scanwrap FILE wrap -o FILE` against the bare sequential Delaunay triangulation of
-// CGAL on the same points, in turn, in one run: seconds, ratio, peak memory, growth.
+// Whole runs of `scanwrap FILE wrap -o FILE` against the bare Delaunay triangulation of CGAL on the
+// same points and as many threads, in turn, in one run: seconds, ratio, peak memory, growth.
 //
-//   wrap_bench [--runs=N] [--threads=N] [POINTS ...]     default: 3 runs; 200000 1000000 3000000
+//   wrap_bench [--runs=N] [--threads=N] [POINTS ...]
+//   default: 3 runs; one thread and two; 200000 1000000 3000000
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -107,13 +110,29 @@ std::vector<Point> readPoints(const char* file)
 }
 
 /// The rival, in a process of its own: seconds for the triangulation alone, on standard output.
-int triangulateBare(const char* file)
+int triangulateBare(const char* file, int threads)
 {
   const std::vector<Point> points = readPoints(file);
   const double start = now();
-  const CGAL::Delaunay_triangulation_3<Kernel> triangulation(points.begin(), points.end());
+  std::size_t cells = 0;
+  if (threads == 1)
+  {
+    cells =
+      CGAL::Delaunay_triangulation_3<Kernel>(points.begin(), points.end()).number_of_finite_cells();
+  }
+  else
+  {
+    using Structure =
+      CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
+        CGAL::Delaunay_triangulation_cell_base_3<Kernel>, CGAL::Parallel_tag>;
+    using Parallel = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
+    constexpr int kLocks = 50; // an axis, as in CGAL's own benchmark
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    Parallel::Lock_data_structure locks(CGAL::bbox_3(points.begin(), points.end()), kLocks);
+    cells = Parallel(points.begin(), points.end(), &locks).number_of_finite_cells();
+  }
   std::printf("%.6f\n", now() - start);
-  return triangulation.number_of_finite_cells() > 0 ? 0 : 1;
+  return cells > 0 ? 0 : 1;
 }
 
 struct Run
@@ -183,7 +202,7 @@ Run summary(std::vector<Run> runs)
 struct Options
 {
   int runs = 3;
-  std::string threads = "0";
+  int threads = 2;
   std::vector<std::size_t> sizes;
 };
 
@@ -199,7 +218,7 @@ Options parse(int argc, char** argv)
     }
     else if (word.starts_with("--threads="))
     {
-      options.threads = word.substr(10);
+      options.threads = std::max(2, std::atoi(argv[i] + 10)); // NOLINT(cert-err34-c)
     }
     else
     {
@@ -213,40 +232,62 @@ Options parse(int argc, char** argv)
   return options;
 }
 
-void benchmark(const Options& options, const fs::path& folder)
+/// A command on some threads, and the runs that it has had.
+struct Contestant
+{
+  std::string name;
+  std::vector<std::string> command;
+  std::vector<Run> runs;
+};
+
+/// The rival first, then the modes of wrap, on as many threads.
+std::vector<Contestant> contestants(int threads, const std::string& scan, const std::string& mesh)
 {
   const fs::path self = fs::read_symlink("/proc/self/exe");
   const std::string scanwrap = self.parent_path() / "scanwrap";
+  const std::string count = std::to_string(threads);
+  const auto wrap = [&](const std::string& mode)
+  {
+    return Contestant{ "wrap --mode=" + mode + ", " + count,
+      { scanwrap, scan, "--quiet", "--overwrite", "--threads=" + count, "wrap", "--mode=" + mode,
+        "-o", mesh },
+      {} };
+  };
+  return { { "CGAL Delaunay, bare, " + count, { self, "--bare", scan, count }, {} },
+    wrap("classic"), wrap("auto") };
+}
+
+void benchmark(const Options& options, const fs::path& folder)
+{
   const std::string scan = folder / "scan.xyz";
-  const std::string mesh = folder / "mesh.stl";
-  std::printf(
-    "%9s  %-22s %9s %7s %9s %12s\n", "points", "run", "seconds", "ratio", "peak MB", "us a point");
+  std::printf("%9s  %-24s %9s %7s %9s %12s\n", "points", "run, threads", "seconds", "ratio",
+    "peak MB", "us a point");
   for (const std::size_t size : options.sizes)
   {
     writePoints(scan, knotScan(size));
-    std::vector<Run> bare;
-    std::vector<Run> classic;
-    std::vector<Run> automatic;
-    const auto wrapCommand = [&](const char* mode)
-    {
-      return std::vector<std::string>{ scanwrap, scan, "--quiet", "--overwrite",
-        "--threads=" + options.threads, "wrap", mode, "-o", mesh };
-    };
+    std::vector<std::vector<Contestant>> groups{ contestants(1, scan, folder / "mesh.stl"),
+      contestants(options.threads, scan, folder / "mesh.stl") };
     for (int run = 0; run < options.runs; ++run) // in turn, so that a slow spell hits all alike
     {
-      bare.push_back(runProcess({ self, "--bare", scan }));
-      classic.push_back(runProcess(wrapCommand("--mode=classic")));
-      automatic.push_back(runProcess(wrapCommand("--mode=auto")));
+      for (auto& group : groups)
+      {
+        for (Contestant& contestant : group)
+        {
+          contestant.runs.push_back(runProcess(contestant.command));
+        }
+      }
     }
-    const Run rival = summary(bare);
-    const auto print = [&](const char* name, const Run& run)
+    for (const auto& group : groups)
     {
-      std::printf("%9zu  %-22s %9.2f %7.2f %9.0f %12.2f\n", size, name, run.seconds,
-        run.seconds / rival.seconds, run.megabytes, 1e6 * run.seconds / static_cast<double>(size));
-    };
-    print("CGAL Delaunay, bare", rival);
-    print("wrap --mode=classic", summary(classic));
-    print("wrap --mode=auto", summary(automatic));
+      const double rival = summary(group.front().runs).seconds;
+      for (const Contestant& contestant : group)
+      {
+        const Run run = summary(contestant.runs);
+        std::printf("%9zu  %-24s %9.2f %7.2f %9.0f %12.2f\n", size, contestant.name.c_str(),
+          run.seconds, run.seconds / rival, run.megabytes,
+          1e6 * run.seconds / static_cast<double>(size));
+      }
+    }
     std::fflush(stdout);
   }
 }
@@ -255,9 +296,9 @@ void benchmark(const Options& options, const fs::path& folder)
 
 int main(int argc, char** argv)
 {
-  if (argc == 3 && std::strcmp(argv[1], "--bare") == 0)
+  if (argc == 4 && std::strcmp(argv[1], "--bare") == 0)
   {
-    return triangulateBare(argv[2]);
+    return triangulateBare(argv[2], std::atoi(argv[3])); // NOLINT(cert-err34-c): our own word
   }
   std::string folder = (fs::temp_directory_path() / "wrap_bench_XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr)
