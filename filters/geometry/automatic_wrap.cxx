@@ -11,6 +11,7 @@
 #include "filters/geometry/rooms.h"
 #include "filters/geometry/scan_spacing.h"
 #include "filters/geometry/signed_rooms.h"
+#include "filters/geometry/triangle_size.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +22,8 @@ namespace
 {
 
 constexpr double kExcessWeight = 0.2;
-constexpr double kDoubtShare = 0.003; // of the points: closed surfaces that cost less are taken
-constexpr double kClearShare = 0.001; // of the points: by so much an open surface must be better
+constexpr double kDoubtShare = 0.005; // of the points: closed surfaces that cost less are taken
+constexpr double kClearShare = 0.65;  // of the closed surface's cost: an open one must cost less
 
 /// What both starts work on.
 struct Scan
@@ -62,14 +63,28 @@ std::vector<Facet> cutOf(const DelaunayComplex& complex, const OutsideRooms& out
     });
 }
 
+/// Swaps the sides where most of the outside is on side 1.
+void nameSides(const OutsideRooms& outside, std::vector<std::uint8_t>& side, Index basinCount)
+{
+  const auto inwards = std::count_if(outside.room.begin(), outside.room.end(),
+    [&](Index room) { return side[basinCount + room] == 1; });
+  if (2 * static_cast<std::size_t>(inwards) > outside.room.size())
+  {
+    for (std::uint8_t& label : side)
+    {
+      label ^= 1U;
+    }
+  }
+}
+
 /// Refines a start: a side for every basin and every room of the outside.
 AutomaticWrap refined(const Scan& scan, const std::vector<Wall>& walls, OutsideRooms outside,
-  std::vector<std::uint8_t> start, Execution& execution)
+  FinestGroups finest, std::vector<std::uint8_t> start, Execution& execution)
 {
-  const auto roomsBegin = start.begin() + scan.basins.count();
-  std::copy(roomsBegin, start.end(), outside.side.begin());
-  const std::vector<std::uint8_t> side =
-    refineBasins(scan.flow, scan.basins, walls, scan.spacing, std::move(start), execution);
+  std::vector<std::uint8_t> side =
+    refineBasins(scan.flow, scan.basins, walls, scan.spacing, finest, std::move(start), execution);
+  nameSides(outside, side, scan.basins.count());
+  std::copy(side.begin() + scan.basins.count(), side.end(), outside.side.begin());
   AutomaticWrap wrap;
   wrap.inside.resize(scan.complex().tetCount());
   for (Index tet = 0; tet < scan.complex().tetCount(); ++tet)
@@ -88,7 +103,8 @@ AutomaticWrap closedWrap(const Scan& scan, const std::vector<Wall>& walls, Execu
 {
   std::vector<std::uint8_t> start = persistentRooms(scan.flow, scan.basins, walls, execution);
   start.push_back(0); // the outside
-  return refined(scan, walls, oneOutside(scan.complex(), execution), std::move(start), execution);
+  return refined(scan, walls, oneOutside(scan.complex(), execution), FinestGroups::widestDoors,
+    std::move(start), execution);
 }
 
 AutomaticWrap openWrap(const Scan& scan, std::vector<Wall> walls, Execution& execution)
@@ -105,7 +121,8 @@ AutomaticWrap openWrap(const Scan& scan, std::vector<Wall> walls, Execution& exe
     });
   std::vector<std::uint8_t> start =
     signedRooms(scan.flow, scan.basins, walls, basinCount + outside.count(), execution);
-  AutomaticWrap wrap = refined(scan, walls, outside, std::move(start), execution);
+  AutomaticWrap wrap =
+    refined(scan, walls, outside, FinestGroups::singleBasins, std::move(start), execution);
   std::vector<Facet> shown = withoutOpenings(scan.complex(), scan.spacing, wrap.surface);
   wrap.isOpen = true;
   wrap.openingTriangles = static_cast<Index>(wrap.surface.size() - shown.size());
@@ -129,8 +146,8 @@ double excessOf(const Scan& scan, const AutomaticWrap& wrap)
   double excess = 0.0;
   for (const Facet facet : wrap.surface)
   {
-    excess += static_cast<double>(
-      excessSize(scan.complex(), scan.spacing, scan.complex().facetVertices(facet)));
+    excess +=
+      triangleSize(scan.complex(), scan.spacing, scan.complex().facetVertices(facet)).excess();
   }
   return excess;
 }
@@ -154,18 +171,17 @@ bool mayBeOpen(const Scan& scan, const AutomaticWrap& closed)
   return cost > kDoubtShare * static_cast<double>(covered.size());
 }
 
-/// The objective on what is shown, without the reward for crumbs, whose Euler characteristic is
-/// that of a sphere each: V - components - 2 handles - B / 2 - 0.2 excess, less half a point for
-/// every non-manifold edge; B edges are rims.
-double scoreOf(const Scan& scan, const AutomaticWrap& wrap)
+/// What keeps the surface that is shown from being one surface through every point; see
+/// wrapAutomatically(). Crumbs earn nothing, though each has the Euler characteristic of a sphere.
+double costOf(const Scan& scan, const AutomaticWrap& wrap)
 {
   const MeshReport mesh = describeMesh(meshOf(scan.complex(), wrap));
   const auto components = static_cast<double>(mesh.components.size());
   const double handles = components -
     0.5 *
       static_cast<double>(mesh.eulerCharacteristic + static_cast<std::int64_t>(mesh.boundaryLoops));
-  return static_cast<double>(mesh.pointsUsed) - components - 2.0 * std::abs(handles) -
-    0.5 * mesh.boundaryEdges - 0.5 * mesh.nonManifoldEdges - kExcessWeight * excessOf(scan, wrap);
+  return static_cast<double>(mesh.points - mesh.pointsUsed) + components + 2.0 * std::abs(handles) +
+    0.25 * mesh.boundaryEdges + 0.5 * mesh.nonManifoldEdges + kExcessWeight * excessOf(scan, wrap);
 }
 
 } // namespace
@@ -205,8 +221,7 @@ AutomaticWrap wrapAutomatically(const FlowComplex& flow, const Basins& basins,
     return closed;
   }
   AutomaticWrap open = openWrap(scan, walls, execution);
-  const double margin = kClearShare * static_cast<double>(scan.complex().points.size());
-  return scoreOf(scan, open) > scoreOf(scan, closed) + margin ? open : closed;
+  return costOf(scan, open) < kClearShare * costOf(scan, closed) ? open : closed;
 }
 
 } // namespace scan

@@ -50,13 +50,12 @@ std::vector<Phase> automaticWrapPhases(const AutomaticWrapOptions& options);
 /// Finds the surface of a scan by one objective over its basins, refined coarse to fine, then
 /// tetrahedron by tetrahedron. Persistent rooms start a closed surface. Where that leaves out
 /// points, spans webs or has many handles, the two sides of a sheet (signed_rooms.h) start an open
-/// one; the better one wins by
+/// one, taken if it costs less than 0.65 of
 ///
-///   F = V - components - 2 handles - B / 2 - N / 2 - 0.2 * excess size
+///   points missed + components + 2 handles + B / 4 + N / 2 + 0.2 * excess size
 ///
-/// of what is shown: V points, B rim edges, N non-manifold edges; handles with every rim capped. An
-/// open result has to be better by a thousandth of the points. Deterministic on any number of
-/// threads.
+/// of what is shown, with B rim edges, N non-manifold edges, and handles with every rim capped.
+/// Deterministic on any number of threads.
 AutomaticWrap wrapAutomatically(const FlowComplex& flow, const Basins& basins,
   const AutomaticWrapOptions& options, Execution& execution);
 

@@ -5,7 +5,7 @@
 #include "filters/geometry/cut_cover.h"
 #include "filters/geometry/facet_radius.h"
 #include "filters/geometry/incidence.h"
-#include "filters/geometry/scan_spacing.h"
+#include "filters/geometry/triangle_size.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -19,6 +19,7 @@ namespace
 {
 
 constexpr std::array kLevels{ 3.0F, 2.0F, 1.5F, 1.25F, 1.1F, 1.03F, 1.0F };
+constexpr float kSingleBasins = 0.0F; // a level that joins nothing
 constexpr std::array kExcessWeights{ 0.02, 0.1 };
 constexpr int kPasses = 6; // per level
 constexpr double kLeastGain = 1e-9;
@@ -51,7 +52,8 @@ std::vector<MeasuredWall> measure(const FlowComplex& flow, const Basins& basins,
           doorRatio = static_cast<float>(
             std::min(basins.size[a], basins.size[b]) / std::sqrt(facetRadiusSquared(flow, facet)));
         }
-        measured[w] = { v, a, b, excessSize(complex, spacing, v), doorRatio };
+        measured[w] = { v, a, b, static_cast<float>(triangleSize(complex, spacing, v).excess()),
+          doorRatio };
       }
     });
   return measured;
@@ -91,10 +93,11 @@ class BasinRefinement
 {
 public:
   BasinRefinement(const Basins& basins, std::vector<MeasuredWall> walls, std::size_t pointCount,
-    std::vector<std::uint8_t> inside)
+    FinestGroups finest, std::vector<std::uint8_t> inside)
     : Sizes(basins.size)
     , BasinCount(basins.count())
     , RoomCount(static_cast<Index>(inside.size()))
+    , FlipCount(finest == FinestGroups::singleBasins ? RoomCount : BasinCount)
     , Walls(std::move(walls))
     , WallsOfBasin(RoomCount, Walls.size(),
         [&](std::size_t w, auto&& visit)
@@ -108,7 +111,7 @@ public:
     , Inside(std::move(inside))
     , Cover(pointCount)
     , Touched(RoomCount, 0)
-    , Trials(BasinCount)
+    , Trials(RoomCount)
     , Group(RoomCount)
   {
     for (const MeasuredWall& wall : this->Walls)
@@ -220,12 +223,12 @@ private:
     {
       this->Group[basin] = sets.root(basin);
     }
-    this->Members = Incidence(this->RoomCount, this->BasinCount,
+    this->Members = Incidence(this->RoomCount, this->FlipCount,
       [&](std::size_t basin, auto&& visit) { visit(this->Group[basin]); });
     this->CensusOfGroup.assign(this->RoomCount, {});
     std::vector<double> size(this->RoomCount, 0.0);
     this->GroupsBySize.clear();
-    for (Index basin = 0; basin < this->BasinCount; ++basin)
+    for (Index basin = 0; basin < this->FlipCount; ++basin)
     {
       const Index group = this->Group[basin];
       const Census& own = this->CensusOfBasin[basin];
@@ -233,7 +236,8 @@ private:
       sum.cutTriangles += own.cutTriangles;
       sum.cutExcess += own.cutExcess;
       sum.ownPoints += own.ownPoints;
-      size[group] = std::max(size[group], this->Sizes[basin]);
+      size[group] = std::max(size[group],
+        (basin < this->BasinCount ? this->Sizes[basin] : std::numeric_limits<double>::infinity()));
       if (group == basin)
       {
         this->GroupsBySize.push_back(group);
@@ -334,6 +338,7 @@ private:
   const std::vector<double>& Sizes;
   Index BasinCount;
   Index RoomCount; ///< basins and rooms of the outside
+  Index FlipCount; ///< those that may flip
   std::vector<MeasuredWall> Walls;
   Incidence WallsOfBasin;
   Incidence WallsOfPoint;
@@ -359,23 +364,28 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> refineBasins(const FlowComplex& flow, const Basins& basins,
-  const std::vector<Wall>& walls, const std::vector<float>& spacing,
+  const std::vector<Wall>& walls, const std::vector<float>& spacing, FinestGroups finest,
   std::vector<std::uint8_t> inside, Execution& execution)
 {
   execution.step("refine", 0, 1);
   BasinRefinement refinement(basins, measure(flow, basins, walls, spacing, execution),
-    flow.delaunay().points.size(), std::move(inside));
-  constexpr std::size_t kSteps = kExcessWeights.size() * kLevels.size() + 1;
+    flow.delaunay().points.size(), finest, std::move(inside));
+  std::vector<float> levels(kLevels.begin(), kLevels.end());
+  if (finest == FinestGroups::singleBasins)
+  {
+    levels.push_back(kSingleBasins);
+  }
+  const std::size_t steps = kExcessWeights.size() * levels.size() + 1;
   std::size_t step = 0;
   for (const double excessWeight : kExcessWeights)
   {
-    for (const float level : kLevels)
+    for (const float level : levels)
     {
-      execution.step("refine", ++step, kSteps);
+      execution.step("refine", ++step, steps);
       int pass = 0;
       while (pass < kPasses && refinement.sweep(level, excessWeight))
       {
-        execution.step("refine", step, kSteps);
+        execution.step("refine", step, steps);
         ++pass;
       }
     }

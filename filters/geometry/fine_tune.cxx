@@ -4,11 +4,12 @@
 
 #include "filters/geometry/collect.h"
 #include "filters/geometry/cut_cover.h"
-#include "filters/geometry/scan_spacing.h"
+#include "filters/geometry/triangle_size.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 namespace scan
 {
@@ -19,6 +20,7 @@ constexpr double kExcessWeight = 0.2;
 constexpr double kNonManifoldWeight = 0.5;
 constexpr double kRimWeight = 1.0; // an edge where the cut ends at the hull
 constexpr double kLeastGain = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class FineTuning
 {
@@ -48,7 +50,7 @@ public:
     return collect<Index>(this->Complex.tetCount(), execution,
       [this](Index tet, std::vector<Index>& found)
       {
-        if (this->gain(tet) > kLeastGain)
+        if (this->touchesCut(tet) && this->gain(tet) > kLeastGain)
         {
           found.push_back(tet);
         }
@@ -62,21 +64,115 @@ public:
     for (const Index tet : candidates)
     {
       this->Queued[tet] = 0;
-      if (this->gain(tet) > kLeastGain)
+      if (this->touchesCut(tet) && this->gain(tet) > kLeastGain)
       {
         this->flip(tet);
-        for (const Index v : this->Complex.tetrahedra[tet])
+        this->queueStars(tet, around);
+      }
+    }
+    return around;
+  }
+
+  /// The tetrahedra at points that the cut misses.
+  std::vector<Index> findMissing(Execution& execution) const
+  {
+    return collect<Index>(this->Complex.tetCount(), execution,
+      [this](Index tet, std::vector<Index>& found)
+      {
+        if (this->missesPoint(tet))
         {
-          this->queueStar(tet, v, around);
+          found.push_back(tet);
+        }
+      });
+  }
+
+  /// The tetrahedra around edges with more than two cut triangles.
+  std::vector<Index> findCrowded(Execution& execution) const
+  {
+    return collect<Index>(this->Complex.tetCount(), execution,
+      [this](Index tet, std::vector<Index>& found)
+      {
+        for (unsigned cut = this->cutFacets(tet); cut != 0; cut &= cut - 1)
+        {
+          this->findCrowdedEdges(4 * tet + static_cast<Facet>(std::countr_zero(cut)), found);
+        }
+      });
+  }
+
+  /// Flips pairs of neighbours with one label where that pays, as long as `isWanted` by the first;
+  /// returns what is around them.
+  template <class Wanted>
+  std::vector<Index> flipPairs(const std::vector<Index>& tets, Wanted&& isWanted)
+  {
+    std::vector<Index> around;
+    for (const Index tet : tets)
+    {
+      for (int k = 0; k < 4 && isWanted(tet); ++k)
+      {
+        const Index beyond = this->Complex.neighbour(tet, k);
+        if (beyond != kNone && this->Inside[tet] == this->Inside[beyond] &&
+          (this->touchesCut(tet) || this->touchesCut(beyond)) && this->flipPair(tet, beyond))
+        {
+          this->queueStars(tet, around);
+          this->queueStars(beyond, around);
         }
       }
     }
     return around;
   }
 
+  bool missesPoint(Index tet) const
+  {
+    const auto& v = this->Complex.tetrahedra[tet];
+    return std::any_of(
+      v.begin(), v.end(), [this](Index point) { return this->Cover.cutTriangles(point) == 0; });
+  }
+
   std::vector<std::uint8_t> takeLabels() { return std::move(this->Inside); }
 
 private:
+  bool touchesCut(Index tet) const { return this->cutFacets(tet) != 0; }
+
+  /// Appends the tetrahedra around those edges of a cut triangle that have more than two; each edge
+  /// is left to the smallest name of a cut triangle there.
+  void findCrowdedEdges(Facet facet, std::vector<Index>& found) const
+  {
+    for (const Index behind : this->Complex.facetVertices(facet))
+    {
+      const std::size_t before = found.size();
+      int count = 1;
+      const bool isSmallest = this->Complex.walkWholeEdge(facet, behind,
+        [&](Facet, Facet leaving, Facet beyond)
+        {
+          found.push_back(leaving / 4);
+          if (leaving == facet || beyond == facet || !this->isCut(leaving))
+          {
+            return true;
+          }
+          ++count;
+          return leaving > facet && beyond > facet;
+        });
+      if (!isSmallest || count <= 2)
+      {
+        found.resize(before);
+      }
+    }
+  }
+
+  /// Flips two tetrahedra if that pays.
+  bool flipPair(Index a, Index b)
+  {
+    const double first = this->gain(a, -kInfinity);
+    this->flip(a);
+    if (first + this->gain(b, kLeastGain - first) > kLeastGain)
+    {
+      this->flip(b);
+      return true;
+    }
+    this->flip(a);
+    return false;
+  }
+
   bool isCut(Facet facet) const
   {
     const Facet other = this->Complex.mirror[facet / 4][facet % 4];
@@ -112,14 +208,10 @@ private:
     return cuttable;
   }
 
-  /// What the objective gains by flipping the tetrahedron.
-  double gain(Index tet) const
+  /// What the objective gains by flipping the tetrahedron; exact where that is more than `least`.
+  double gain(Index tet, double least = kLeastGain) const
   {
     const unsigned cut = this->cutFacets(tet);
-    if (cut == 0)
-    {
-      return 0.0;
-    }
     const unsigned entering = this->cuttableFacets(tet) & ~cut;
     const int leave = std::popcount(cut);
     int points = 0;
@@ -135,14 +227,14 @@ private:
     const double most = gain + kNonManifoldWeight * kEdgesBetween[4 - std::popcount(entering)] +
       kRimWeight * stay * (4 - stay);
     const double excessLost = this->excess(tet, cut);
-    if (most + kExcessWeight * excessLost <= kLeastGain)
+    if (most + kExcessWeight * excessLost <= least)
     {
-      return 0.0;
+      return least;
     }
     const double change = kExcessWeight * (excessLost - this->excess(tet, entering));
-    if (most + change <= kLeastGain)
+    if (most + change <= least)
     {
-      return 0.0;
+      return least;
     }
     return gain + change - this->edgeCost(tet, cut, entering);
   }
@@ -160,8 +252,8 @@ private:
     for (; facets != 0; facets &= facets - 1)
     {
       const Facet facet = 4 * tet + static_cast<Facet>(std::countr_zero(facets));
-      sum += static_cast<double>(
-        excessSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)));
+      sum +=
+        triangleSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)).excess();
     }
     return sum;
   }
@@ -217,6 +309,15 @@ private:
     this->Inside[tet] ^= 1U;
   }
 
+  /// Appends the tetrahedra at the vertices of a tetrahedron that are not queued yet.
+  void queueStars(Index tet, std::vector<Index>& queue)
+  {
+    for (const Index v : this->Complex.tetrahedra[tet])
+    {
+      this->queueStar(tet, v, queue);
+    }
+  }
+
   /// Appends the tetrahedra at vertex v that are not queued yet.
   void queueStar(Index tet, Index v, std::vector<Index>& queue)
   {
@@ -267,12 +368,18 @@ std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<fl
   execution.step("fine-tune", 0, 3);
   FineTuning tuning(flow.delaunay(), spacing, outside, std::move(inside));
   execution.step("fine-tune", 1, 3);
-  std::vector<Index> candidates = tuning.findCandidates(execution);
-  while (!candidates.empty())
+  const auto flipAll = [&](std::vector<Index> candidates)
   {
-    execution.step("fine-tune", 2, 3);
-    candidates = tuning.flipCandidates(candidates);
-  }
+    while (!candidates.empty())
+    {
+      execution.step("fine-tune", 2, 3);
+      candidates = tuning.flipCandidates(candidates);
+    }
+  };
+  flipAll(tuning.findCandidates(execution));
+  flipAll(tuning.flipPairs(
+    tuning.findMissing(execution), [&](Index tet) { return tuning.missesPoint(tet); }));
+  flipAll(tuning.flipPairs(tuning.findCrowded(execution), [](Index) { return true; }));
   execution.step("fine-tune", 3, 3);
   return tuning.takeLabels();
 }

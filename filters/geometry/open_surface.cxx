@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/open_surface.h"
 
-#include "filters/geometry/flow_complex.h"
 #include "filters/geometry/half_edges.h"
+#include "filters/geometry/triangle_size.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <queue>
 
@@ -15,26 +14,10 @@ namespace scan
 namespace
 {
 
-constexpr double kSparse = 4.0;       // circumradius / spacing
+constexpr double kSparseRadius = 4.0; // circumradius / spacing
+constexpr double kSparseArea = 2.0;   // area / spacing^2
 constexpr double kOpeningArea = 40.0; // area / spacing^2
 constexpr double kRimSize = 3.0;      // circumradius / spacing beside a rim
-
-/// A triangle measured by the largest local spacing at its vertices.
-struct Measure
-{
-  float radius; ///< circumradius / spacing
-  float area;   ///< area / spacing^2
-};
-
-Measure measure(
-  const DelaunayComplex& complex, const std::vector<float>& spacing, const Triangle& v)
-{
-  const double h = std::max({ spacing[v[0]], spacing[v[1]], spacing[v[2]] });
-  const Vec3& p = complex.points[v[0]];
-  const Vec3 normal = cross(complex.points[v[1]] - p, complex.points[v[2]] - p);
-  return { static_cast<float>(std::sqrt(circumradiusSquared(complex, v)) / h),
-    static_cast<float>(0.5 * std::sqrt(dot(normal, normal)) / (h * h)) };
-}
 
 class OpenSurface
 {
@@ -48,7 +31,7 @@ public:
     for (const Facet facet : facets)
     {
       this->Mesh.triangles.push_back(complex.facetVertices(facet));
-      this->Measures.push_back(measure(complex, spacing, this->Mesh.triangles.back()));
+      this->Sizes.push_back(triangleSize(complex, spacing, this->Mesh.triangles.back()));
     }
     EdgePairs pairs = pairEdges(this->Mesh);
     this->Mate = std::move(pairs.mate);
@@ -56,6 +39,8 @@ public:
     {
       this->Mate[half] = half; // no rim
     }
+    this->Crowded = std::move(pairs.crowded);
+    this->CrowdedBegin = std::move(pairs.crowdedBegin);
   }
 
   void dropOpenings()
@@ -66,6 +51,53 @@ public:
       if (!seen[t] && this->isSparse(t))
       {
         this->dropIfOpening(t, seen);
+      }
+    }
+  }
+
+  /// At edges with more than two triangles drops those that end at a rim, the largest first, where
+  /// no point is lost. An odd number means that the edge is itself at an opening.
+  void dropFlaps()
+  {
+    std::vector<Index> shownAt(this->RimEdges.size(), 0);
+    for (Index t = 0; t < this->Shown.size(); ++t)
+    {
+      for (const Index v : this->Mesh.triangles[t])
+      {
+        shownAt[v] += this->Shown[t];
+      }
+    }
+    const auto isFlap = [&](Index t, bool atRim)
+    {
+      const Triangle& v = this->Mesh.triangles[t];
+      return this->Shown[t] &&
+        (atRim || this->isRim(3 * t) || this->isRim(3 * t + 1) || this->isRim(3 * t + 2)) &&
+        std::all_of(v.begin(), v.end(), [&](Index point) { return shownAt[point] > 1; });
+    };
+    for (std::size_t edge = 0; edge + 1 < this->CrowdedBegin.size(); ++edge)
+    {
+      std::vector<Index> triangles;
+      for (Index i = this->CrowdedBegin[edge]; i < this->CrowdedBegin[edge + 1]; ++i)
+      {
+        if (this->Shown[this->Crowded[i] / 3])
+        {
+          triangles.push_back(this->Crowded[i] / 3);
+        }
+      }
+      std::stable_sort(triangles.begin(), triangles.end(),
+        [&](Index s, Index t) { return this->Sizes[s].radius > this->Sizes[t].radius; });
+      std::size_t left = triangles.size();
+      for (std::size_t i = 0; i < triangles.size() && left > 2; ++i)
+      {
+        if (isFlap(triangles[i], left % 2 != 0))
+        {
+          this->Shown[triangles[i]] = 0;
+          --left;
+          for (const Index v : this->Mesh.triangles[triangles[i]])
+          {
+            --shownAt[v];
+          }
+        }
       }
     }
   }
@@ -104,7 +136,11 @@ public:
   }
 
 private:
-  bool isSparse(Index t) const { return static_cast<double>(this->Measures[t].radius) > kSparse; }
+  bool isSparse(Index t) const
+  {
+    const TriangleSize& size = this->Sizes[t];
+    return size.radius > kSparseRadius && size.area > kSparseArea;
+  }
 
   /// For a half-edge of a shown triangle.
   bool isRim(Index half) const
@@ -122,7 +158,7 @@ private:
     double area = 0.0;
     for (std::size_t i = 0; i < piece.size(); ++i)
     {
-      area += static_cast<double>(this->Measures[piece[i]].area);
+      area += this->Sizes[piece[i]].area;
       for (Index half = 3 * piece[i]; half < 3 * piece[i] + 3; ++half)
       {
         const Index mate = this->Mate[half];
@@ -142,9 +178,9 @@ private:
 
   void queueTriangle(Index t)
   {
-    if (static_cast<double>(this->Measures[t].radius) > kRimSize)
+    if (this->Sizes[t].radius > kRimSize)
     {
-      this->Queue.emplace(this->Measures[t].radius, t);
+      this->Queue.emplace(this->Sizes[t].radius, t);
     }
   }
 
@@ -175,11 +211,13 @@ private:
   }
 
   TriMesh Mesh;
-  std::vector<Measure> Measures;
-  std::vector<Index> Mate; ///< per half-edge; itself where more than two triangles meet
+  std::vector<TriangleSize> Sizes;
+  std::vector<Index> Mate;    ///< per half-edge; itself where more than two triangles meet
+  std::vector<Index> Crowded; ///< half-edges at edges of more than two triangles, see EdgePairs
+  std::vector<Index> CrowdedBegin;
   std::vector<std::uint8_t> Shown;
-  std::vector<Index> RimEdges;                        ///< per point
-  std::priority_queue<std::pair<float, Index>> Queue; ///< largest first
+  std::vector<Index> RimEdges;                         ///< per point
+  std::priority_queue<std::pair<double, Index>> Queue; ///< largest first
 };
 
 } // namespace
@@ -189,6 +227,7 @@ std::vector<Facet> withoutOpenings(const DelaunayComplex& complex,
 {
   OpenSurface surface(complex, spacing, facets);
   surface.dropOpenings();
+  surface.dropFlaps();
   surface.trimRims();
   return surface.shown(facets);
 }
