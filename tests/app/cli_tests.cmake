@@ -31,13 +31,28 @@ scan_cli_test(RecordOfFailure "scanwrap $DATA/torus.xyz info --quiet -o out.stl 
 scan_cli_test(JsonProgress "scanwrap $DATA/torus.xyz wrap --progress=json -o out.stl"
   FILES out.stl ERR "\"verb\":\"wrap\",\"phase\":\"[^\"]+\",\"fraction\":")
 scan_cli_test(DryRun "scanwrap $DATA/torus.xyz wrap --dry-run -o out.stl"
-  OUT "open .*wrap --fit=all --manifold=true --mode=auto\nsave out.stl")
+  OUT "open .*wrap --fit=all --manifold=true --mode=auto --open=auto --size=0\nsave out.stl")
 scan_cli_test(Overwrite "touch out.stl; scanwrap $DATA/helix.xyz wrap --overwrite -o out.stl; test -s out.stl"
   FILES out.stl)
 scan_cli_test(SameBytesOnAnyThreads "for n in 1 2 5; do scanwrap $DATA/torus.xyz --threads=$n wrap -o - | md5sum; done | sort -u | wc -l"
   OUT "^1\n")
+scan_cli_test(PushThenPull "scanwrap $DATA/plate_hole.xyz wrap --mode=classic -o a.ply push --at=0,0,0 -o b.ply pull --at=0,0,0 -o c.ply && cmp a.ply c.ply && ! cmp -s a.ply b.ply")
+scan_cli_test(PushByBlock "block=$(scanwrap $DATA/plate_hole.xyz wrap --mode=classic push --at=0,0,0 --preview --json=- --quiet | python3 -c 'import json, sys; print(json.load(sys.stdin)[\"steps\"][2][\"results\"][\"blocks\"])') && scanwrap $DATA/plate_hole.xyz wrap --mode=classic push --block=$block -o a.ply && scanwrap $DATA/plate_hole.xyz wrap --mode=classic push --at=0,0,0 -o b.ply && cmp a.ply b.ply")
+scan_cli_test(PreviewChangesNothing "scanwrap $DATA/plate_hole.xyz wrap --mode=classic -o a.ply push --at=0,0,0 --deep --preview --verbose -o b.ply && cmp a.ply b.ply"
+  ERR "triangles-new +[1-9]")
+scan_cli_test(MarksMayBeRepeated "scanwrap $DATA/helix.xyz wrap --mode=classic push --at=-0.83,-0.47,0.5 --at=-0.83,0.47,1.5 --triangle=0,1 --verbose info"
+  OUT "triangles" ERR "marks +4\n")
+scan_cli_test(PushOfTheFinishedWrap "scanwrap $DATA/torus.xyz wrap push --at=0.65,0,0 info" OUT "closed +yes\n")
+scan_cli_test(EditsGoOnBehindInfo "scanwrap $DATA/plate_hole.xyz wrap --mode=classic info push --at=0,0,0 --deep info" OUT "genus +0\n.*genus +1\n")
+scan_cli_test(WrapAgain "scanwrap $DATA/plate_hole.xyz wrap -o a.ply wrap --mode=classic wrap -o b.ply && cmp a.ply b.ply")
+scan_cli_test(FineTuneAndBack "scanwrap $DATA/torus.xyz wrap -o a.ply fine-tune --at=0.65,0,0 -o b.ply info" OUT "triangles +1000")
+scan_cli_test(ShootThroughThePlate "scanwrap $DATA/plate_hole.xyz wrap --mode=classic shoot --at=0,0,2 --along=0,0,-1 info" OUT "genus +[1-9]")
+scan_cli_test(RepairAngles "scanwrap $DATA/plate_hole.xyz wrap repair-angles --verbose info" ERR "repairs +[1-9]" OUT "closed +yes\n.*genus +1\n")
+scan_cli_test(RemoveWebsOfASolid "scanwrap $DATA/torus.xyz wrap remove-webs -o out.stl" FILES out.stl ERR "^scanwrap: remove-webs: nothing changed\n$")
+scan_cli_test(OpenOrCapped "scanwrap $DATA/monkey_saddle.xyz wrap --open=cap info wrap --open=keep info" OUT "closed +yes\n.*closed +no\n")
+scan_cli_test(Front "scanwrap $DATA/torus.xyz wrap --mode=front info" OUT "triangles +10000\n.*genus +1\n")
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
-scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic\n.*example:\n  scanwrap ")
+scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic.front\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
 scan_cli_test(NamesBehindDashes "cp $DATA/torus.xyz ./--in.xyz; scanwrap -- --in.xyz info" OUT "^points +5000")
 scan_cli_test(LinkIsKept "ln -s out.stl link.stl; scanwrap $DATA/torus.xyz wrap -o link.stl && test -L link.stl" FILES out.stl)
@@ -125,3 +140,14 @@ scan_cli_test(InterruptPicture "awk 'BEGIN { srand(1); for (i = 0; i < 1000000; 
   EXIT 4 ERR "cancelled")
 scan_cli_test(InterruptPipe "mkfifo f.ply; sleep 4 < f.ply > /dev/null 2>&1 & '${CMAKE_BINARY_DIR}/bin/scanwrap' $DATA/torus.xyz wrap -o f.ply & sleep 2; kill -INT $!; wait $!"
   EXIT 4 ERR "cancelled")
+
+# Edits that cannot be
+scan_cli_test(PushWithoutWrap "scanwrap $DATA/torus.xyz push --at=0,0,0 -o out.stl" EXIT 1 ERR "push: the model is no wrap that can be edited; put wrap before it")
+scan_cli_test(PushOfAMesh "scanwrap $DATA/torus.xyz wrap -o m.stl; scanwrap m.stl push --at=0,0,0 -o out.stl" EXIT 1 ERR "put wrap before it")
+scan_cli_test(MalformedPoint "scanwrap $DATA/torus.xyz wrap push --at=1,2 -o out.stl" EXIT 2 ERR "--at=1,2: expected x,y,z")
+scan_cli_test(PointThatIsNoNumber "scanwrap $DATA/torus.xyz wrap push --at=nan,0,0 -o out.stl" EXIT 2 ERR "--at=nan,0,0: expected")
+scan_cli_test(TriangleOutOfRange "scanwrap $DATA/torus.xyz wrap push --triangle=10000 -o out.stl" EXIT 2 ERR "there is no triangle 10000; the surface has 10000, counted from 0")
+scan_cli_test(BlockThatIsNot "scanwrap $DATA/torus.xyz wrap push --block=99999999 -o out.stl" EXIT 2 ERR "there is no block 99999999")
+scan_cli_test(ReachBelowOne "scanwrap $DATA/torus.xyz wrap push --at=0,0,0 --reach=0.5 -o out.stl" EXIT 2 ERR "--reach=0.5: expected a number from 1")
+scan_cli_test(NegativeSize "scanwrap $DATA/torus.xyz wrap --size=-1 -o out.stl" EXIT 2 ERR "--size=-1: expected a length")
+scan_cli_test(ShotAlongNothing "scanwrap $DATA/torus.xyz wrap shoot --at=0,0,2 --along=0,0,1e999 -o out.stl" EXIT 2 ERR "--along=0,0,1e999: expected")

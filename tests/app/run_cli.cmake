@@ -6,6 +6,11 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")
 set(ENV{DATA} "${DATA}")
+set(ENV{SHARED} "${SHARED}")
+if(LINE MATCHES "\\$SHARED" AND NOT EXISTS "${SHARED}")
+  message("skipped: ${SHARED} is not there: the shared corpus is missing")
+  return()
+endif()
 set(ENV{LC_ALL} C)
 execute_process(
   COMMAND bash -c "scanwrap() { '${PROGRAM}' \"$@\"; }; ${LINE}"
