@@ -190,7 +190,7 @@ std::optional<FlipEffect> Flips::tryFlip(Index tet)
       return {};
     }
   }
-  // three triangles have a vertex that would be lost
+  // with three triangles a vertex would be lost
   if ((triangles != 1 && triangles != 2) || (triangles == 1 && !this->isOffSurface(tet, apex)))
   {
     return {};

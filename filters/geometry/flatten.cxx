@@ -21,11 +21,7 @@ struct Part
 };
 
 /// A piece of a part's boundary.
-struct Piece
-{
-  std::vector<Facet> triangles;
-  std::vector<Segment> rim; ///< where it was cut off; smaller vertex first, sorted
-};
+using Piece = std::vector<Facet>;
 
 /// Where the boundary of a part goes on across an edge, and the angle inside the part.
 struct Fold
@@ -82,29 +78,23 @@ Piece pieceAround(
   const WrapComplex& kept, const Part& part, std::size_t first, std::vector<bool>& isTaken)
 {
   const DelaunayComplex& complex = kept.flow().delaunay();
-  Piece piece{ .triangles = { part.boundary[first] }, .rim = {} };
+  Piece piece{ part.boundary[first] };
   isTaken[first] = true;
-  for (std::size_t i = 0; i < piece.triangles.size(); ++i)
+  for (std::size_t i = 0; i < piece.size(); ++i)
   {
-    const Triangle v = complex.facetVertices(piece.triangles[i]);
+    const Triangle v = complex.facetVertices(piece[i]);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Segment edge{ std::min(v[k], v[(k + 1) % 3]), std::max(v[k], v[(k + 1) % 3]) };
-      const Fold fold = foldAt(kept, piece.triangles[i], v[(k + 2) % 3], edge);
+      const Fold fold = foldAt(kept, piece[i], v[(k + 2) % 3], { v[k], v[(k + 1) % 3] });
       const auto next = static_cast<std::size_t>(
         std::ranges::lower_bound(part.boundary, fold.next) - part.boundary.begin());
-      if (fold.angle < 0.5 * std::numbers::pi)
-      {
-        piece.rim.push_back(edge);
-      }
-      else if (!isTaken[next])
+      if (fold.angle >= 0.5 * std::numbers::pi && !isTaken[next])
       {
         isTaken[next] = true;
-        piece.triangles.push_back(fold.next);
+        piece.push_back(fold.next);
       }
     }
   }
-  std::ranges::sort(piece.rim);
   return piece;
 }
 
@@ -122,19 +112,18 @@ std::vector<Piece> piecesOf(const WrapComplex& kept, const Part& part)
   return pieces;
 }
 
-/// A disk whose vertices all lie on its rim: with n of them it has n rim edges and n - 2 triangles;
-/// these are then a tree of triangles, and no vertex is met twice.
+/// A disk whose vertices all lie on its rim. Triangles that hang together by edges have at most two
+/// vertices more than triangles; exactly two when they are a tree and meet nowhere else.
 bool isPolygon(const DelaunayComplex& complex, const Piece& piece)
 {
   std::vector<Index> vertices;
-  for (const Facet facet : piece.triangles)
+  for (const Facet facet : piece)
   {
     const Triangle v = complex.facetVertices(facet);
     vertices.insert(vertices.end(), v.begin(), v.end());
   }
   std::ranges::sort(vertices);
-  const auto count = vertices.size() - std::ranges::unique(vertices).size();
-  return piece.rim.size() == count && piece.triangles.size() == count - 2;
+  return piece.size() + 2 == vertices.size() - std::ranges::unique(vertices).size();
 }
 
 /// Radii from large to small, the triangles' names at the end: smaller is better.
@@ -143,7 +132,7 @@ std::pair<std::vector<double>, std::vector<Facet>> rankOf(
 {
   std::vector<double> radii2;
   std::vector<Facet> names;
-  for (const Facet facet : piece.triangles)
+  for (const Facet facet : piece)
   {
     radii2.push_back(circumradiusSquared(complex, complex.facetVertices(facet)));
     names.push_back(complex.canonical(facet));
@@ -154,20 +143,18 @@ std::pair<std::vector<double>, std::vector<Facet>> rankOf(
 }
 
 /// The triangles of a thin part that are not wanted; none when the part is not thin.
-std::vector<Facet> worseHalf(const WrapComplex& kept, const Part& part)
+Piece worseHalf(const WrapComplex& kept, const Part& part)
 {
   const DelaunayComplex& complex = kept.flow().delaunay();
   const std::vector<Piece> halves = piecesOf(kept, part);
-  if (halves.size() != 2 || halves[0].rim != halves[1].rim || !isPolygon(complex, halves[0]) ||
-    !isPolygon(complex, halves[1]))
+  if (halves.size() != 2 || !isPolygon(complex, halves[0]) || !isPolygon(complex, halves[1]))
   {
     return {};
   }
-  return rankOf(complex, halves[0]) < rankOf(complex, halves[1]) ? halves[1].triangles
-                                                                 : halves[0].triangles;
+  return rankOf(complex, halves[0]) < rankOf(complex, halves[1]) ? halves[1] : halves[0];
 }
 
-void replaceByHalf(ModelEdit& edit, const Part& part, const std::vector<Facet>& unwanted)
+void replaceByHalf(ModelEdit& edit, const Part& part, const Piece& unwanted)
 {
   const DelaunayComplex& complex = edit.kept().flow().delaunay();
   std::vector<Facet> inner; // between tetrahedra of the part
@@ -219,7 +206,7 @@ FlattenReport flatten(WrapModel& model, std::span<const Facet> triangles, Execut
     {
       continue;
     }
-    const std::vector<Facet> unwanted = worseHalf(*model.current, part);
+    const Piece unwanted = worseHalf(*model.current, part);
     if (!unwanted.empty())
     {
       replaceByHalf(edit, part, unwanted);
