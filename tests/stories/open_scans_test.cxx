@@ -4,9 +4,7 @@
 // Scans with openings, and scans without that must stay closed, from the file to the surface.
 #include "filters/geometry/automatic_wrap.h"
 #include "filters/geometry/mesh_checks.h"
-#include "readers/mapped_file.h"
-#include "readers/ply.h"
-#include "readers/points_text.h"
+#include "tests/stories/corpus.h"
 
 #include <gtest/gtest.h>
 
@@ -20,23 +18,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-const fs::path kData = fs::path(SCAN_SHARED_DIR) / "data";
-
-#define SCAN_NEED(file)                                                                            \
-  if (!fs::exists(file))                                                                           \
-  {                                                                                                \
-    GTEST_SKIP() << (file) << " is not there: the shared corpus is missing";                       \
-  }
-
-std::vector<Vec3> load(const fs::path& path)
-{
-  const MappedFile file(path.string());
-  Execution execution;
-  return path.extension() == ".ply"
-    ? parsePly(file.bytes(), path.string(), execution).points
-    : parsePointsText(file.bytes(), path.string(), execution).points;
-}
 
 /// The lines that hold three coordinates behind `prefix`.
 std::vector<Vec3> loadLines(const fs::path& path, const std::string& prefix)

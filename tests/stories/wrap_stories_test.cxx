@@ -4,9 +4,7 @@
 // Real and synthetic scans of the shared corpus, from the file to the finished surface.
 #include "filters/geometry/mesh_checks.h"
 #include "filters/geometry/wrap.h"
-#include "readers/mapped_file.h"
-#include "readers/ply.h"
-#include "readers/points_text.h"
+#include "tests/stories/corpus.h"
 
 #include <gtest/gtest.h>
 
@@ -23,23 +21,7 @@ namespace
 namespace fs = std::filesystem;
 using Mode = WrapOptions::Mode;
 
-const fs::path kShared = SCAN_SHARED_DIR;
-const fs::path kBunny = kShared / "data/02_range_scans/stanford_bunny";
-
-#define SCAN_NEED(file)                                                                            \
-  if (!fs::exists(file))                                                                           \
-  {                                                                                                \
-    GTEST_SKIP() << (file) << " is not there: the shared corpus is missing";                       \
-  }
-
-std::vector<Vec3> load(const fs::path& path)
-{
-  const MappedFile file(path.string());
-  Execution execution;
-  return path.extension() == ".ply"
-    ? parsePly(file.bytes(), path.string(), execution).points
-    : parsePointsText(file.bytes(), path.string(), execution).points;
-}
+const fs::path kBunny = kData / "02_range_scans/stanford_bunny";
 
 WrapResult run(const std::vector<Vec3>& points, const WrapOptions& options = {})
 {
@@ -66,8 +48,8 @@ class ClosedSurfaces : public testing::TestWithParam<Expected>
 TEST_P(ClosedSurfaces, AreOneClosedManifoldOfTheRightGenus)
 {
   const Expected& expected = GetParam();
-  SCAN_NEED(kShared / expected.file);
-  const WrapResult result = run(load(kShared / expected.file));
+  SCAN_NEED(kData / expected.file);
+  const WrapResult result = run(load(kData / expected.file));
   const MeshReport mesh = describeMesh(result.surface);
   EXPECT_TRUE(mesh.isClosed);
   EXPECT_TRUE(mesh.isManifold);
@@ -82,11 +64,10 @@ TEST_P(ClosedSurfaces, AreOneClosedManifoldOfTheRightGenus)
 
 INSTANTIATE_TEST_SUITE_P(Scans, ClosedSurfaces,
   testing::Values(
-    Expected{ "data/02_range_scans/stanford_bunny/reconstruction/bun_zipper.ply", 0.9995, 0 },
-    Expected{ "data/01_points/cgal/kitten.xyz", 1.0, 1 },
-    Expected{ "data/synthetic/plate_hole.xyz", 1.0, 1 },
-    Expected{ "data/synthetic/torus5k.xyz", 1.0, 1 },
-    Expected{ "data/synthetic/torus5k_noise.xyz", 0.999, 1 }),
+    Expected{ "02_range_scans/stanford_bunny/reconstruction/bun_zipper.ply", 0.9995, 0 },
+    Expected{ "01_points/cgal/kitten.xyz", 1.0, 1 }, Expected{ "synthetic/plate_hole.xyz", 1.0, 1 },
+    Expected{ "synthetic/torus5k.xyz", 1.0, 1 },
+    Expected{ "synthetic/torus5k_noise.xyz", 0.999, 1 }),
   [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 struct Counts
@@ -110,9 +91,9 @@ class ClassicCounts : public testing::TestWithParam<Counts>
 TEST_P(ClassicCounts, AreThoseOfTheDefinition)
 {
   const Counts& expected = GetParam();
-  SCAN_NEED(kShared / expected.file);
+  SCAN_NEED(kData / expected.file);
   const WrapReport report =
-    run(load(kShared / expected.file), { .mode = Mode::classic, .manifold = false }).report;
+    run(load(kData / expected.file), { .mode = Mode::classic, .manifold = false }).report;
   if (expected.tetrahedraKept > 0)
   {
     EXPECT_EQ(report.tetrahedraKept, expected.tetrahedraKept);
@@ -126,14 +107,14 @@ TEST_P(ClassicCounts, AreThoseOfTheDefinition)
 }
 
 INSTANTIATE_TEST_SUITE_P(Scans, ClassicCounts,
-  testing::Values(Counts{ "data/synthetic/plate_hole.xyz", 18327, 9238, 0, 0 },
-    Counts{ "data/synthetic/torus5k.xyz", 0, 10002, 3, 0 },
-    Counts{ "data/synthetic/helix.xyz", 0, 724, 0, 324 }),
+  testing::Values(Counts{ "synthetic/plate_hole.xyz", 18327, 9238, 0, 0 },
+    Counts{ "synthetic/torus5k.xyz", 0, 10002, 3, 0 },
+    Counts{ "synthetic/helix.xyz", 0, 724, 0, 324 }),
   [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 TEST(ClassicWrap, MonkeySaddleIsAlmostAllSheet)
 {
-  const fs::path file = kShared / "data/synthetic/monkey_saddle.xyz";
+  const fs::path file = kData / "synthetic/monkey_saddle.xyz";
   SCAN_NEED(file);
   const WrapReport report = run(load(file), { .mode = Mode::classic }).report;
   EXPECT_EQ(report.pointsOnSurface, 2340U);
