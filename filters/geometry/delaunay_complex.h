@@ -127,7 +127,7 @@ public:
 /// @throws Error badInput for fewer than four points, points in one plane, or coordinates that are
 /// not finite or beyond 1e50; Cancelled within about a thousand insertions, input untouched.
 /// Reports phase "triangulate". Scratch space 40 bytes a tetrahedron, 32 a point.
-/// Follows delaunay_insertion.h and delaunay_worker.h.
+/// Follows delaunay_insertion.h and delaunay_worker.h, where the papers are.
 DelaunayComplex buildDelaunayComplex(std::span<const Vec3> points, Execution& execution);
 
 } // namespace scan

@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "filters/geometry/delaunay_predicates.h"
+#include "filters/geometry/delaunay_worker.h"
 
 #include <algorithm>
 #include <array>

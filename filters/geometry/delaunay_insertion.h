@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "filters/geometry/delaunay_worker.h"
+#include "filters/geometry/delaunay_cells.h"
 
 #include <memory>
 #include <span>

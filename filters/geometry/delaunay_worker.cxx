@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/delaunay_worker.h"
 
-#include "filters/base/error.h"
 #include "filters/geometry/delaunay_predicates.h"
 
 #include <algorithm>
-#include <bit>
+#include <atomic>
+#include <cmath>
 #include <limits>
 #include <tuple>
-#include <utility>
 
 namespace scan
 {
@@ -20,65 +19,6 @@ namespace
 constexpr std::array<int, 4> kNext{ 1, 2, 0, 1 };
 
 } // namespace
-
-DelaunayCells::DelaunayCells(std::span<const Vec3> all, std::array<Index, 4> corners)
-  : points(all)
-{
-  constexpr std::size_t kCellsPerPoint = 7; // of a scan; more are made room for later
-  this->makeRoom(kCellsPerPoint * all.size() + 8 * std::size_t{ kBlock });
-  if (orientation(all[corners[0]], all[corners[1]], all[corners[2]], all[corners[3]]) < 0)
-  {
-    std::swap(corners[0], corners[1]);
-  }
-  // cell 0 is the tetrahedron, cell 1 + k lies between its facet k and infinity
-  this->Used = 5;
-  this->cells[0].vertices = corners;
-  for (Index k = 0; k < 4; ++k)
-  {
-    const auto& f = kFacetVertices[k];
-    this->cells[1 + k].vertices = { corners[f[0]], corners[f[1]], corners[f[2]],
-      DelaunayCell::kInfinity };
-    this->cells[0].mirror[k] = 4 * (1 + k) + 3;
-    this->cells[1 + k].mirror[3] = k;
-    for (Facet i = 0; i < 3; ++i) // across the edge opposite f[i]: the cell at facet f[i]
-    {
-      const auto& other = kFacetVertices[f[i]];
-      const auto back = std::find(other.begin(), other.end(), static_cast<int>(k)) - other.begin();
-      this->cells[1 + k].mirror[i] = 4 * static_cast<Facet>(1 + f[i]) + static_cast<Facet>(back);
-    }
-  }
-}
-
-Index DelaunayCells::takeBlock()
-{
-  const Index first = this->Used.fetch_add(kBlock, std::memory_order_relaxed);
-  if (first + kBlock > this->cells.size())
-  {
-    this->Used.fetch_sub(kBlock, std::memory_order_relaxed);
-    return kNone;
-  }
-  for (Index cell = first; cell < first + kBlock; ++cell)
-  {
-    this->cells[cell].setFree(kNone);
-  }
-  return first;
-}
-
-void DelaunayCells::makeRoom(std::size_t more)
-{
-  const std::size_t needed = this->used() + more;
-  if (needed > this->cells.size())
-  {
-    if (needed > kNone / 4)
-    {
-      throw Error(ErrorCode::limit, "more than 2^30 tetrahedra; thin the scan first");
-    }
-    const std::size_t roomy =
-      std::min<std::size_t>(kNone / 4, std::max(needed, this->cells.size() / 4 * 5));
-    this->cells.resize(roomy);
-    this->marks.resize(roomy, 0);
-  }
-}
 
 inline Index DelaunayWorker::Numbering::operator()(Index vertex)
 {
@@ -124,7 +64,7 @@ bool DelaunayWorker::insert(Index vertex, bool alone)
   {
     this->fillCavity(vertex);
   }
-  this->release();
+  this->release(done);
   return done;
 }
 
@@ -189,22 +129,31 @@ int DelaunayWorker::facetBefore(const DelaunayCell& cell, const Vec3& p, int ent
   return -1;
 }
 
+/// Takes hold of the cell that was made last, or of one near it when another worker has it.
+bool DelaunayWorker::acquireHint()
+{
+  const std::size_t count = std::min<std::size_t>(this->All.used(), this->All.cells.size());
+  for (std::size_t attempt = 0; attempt < count; ++attempt)
+  {
+    const bool isFree = this->Alone && this->All.cells[this->Hint].isFree();
+    if (!isFree && this->acquire(this->Hint))
+    {
+      return true;
+    }
+    this->Hint = static_cast<Index>((this->Hint + 1) % count);
+  }
+  return false;
+}
+
 /// Walks from the last inserted point towards p; `found` is held then, and in conflict with p.
 bool DelaunayWorker::locate(const Vec3& p, Index& found)
 {
   const auto cell = [&]() -> const DelaunayCell& { return this->All.cells[found]; };
-  found = this->Hint;
-  if (!this->acquire(found))
+  if (!this->acquireHint())
   {
     return false;
   }
-  while (cell().isFree())
-  {
-    if (!this->moveTo(found, cell().mirror[0] / 4))
-    {
-      return false;
-    }
-  }
+  found = this->Hint;
   if (!cell().isTetrahedron() && !this->moveTo(found, cell().mirror[3] / 4))
   {
     return false;
@@ -315,9 +264,7 @@ void DelaunayWorker::fillCavity(Index vertex)
   {
     const Index fresh = this->Free.back();
     this->Free.pop_back();
-    while (!this->acquire(fresh)) // another worker still remembers it, and will let go at once
-    {
-    }
+    this->setMark(fresh, this->Held);
     this->Fresh.push_back(fresh);
     const Facet k = facet % 4;
     const Facet outside = cells[facet / 4].mirror[k];
@@ -334,7 +281,7 @@ void DelaunayWorker::fillCavity(Index vertex)
   }
   for (const Index cell : this->Cavity)
   {
-    cells[cell].setFree(4 * this->Hint);
+    cells[cell].setFree();
     this->Free.push_back(cell);
   }
 }
@@ -402,9 +349,10 @@ void DelaunayWorker::linkBySorting()
   }
 }
 
-void DelaunayWorker::release()
+/// Lets go of all cells, but of those that are free now.
+void DelaunayWorker::release(bool done)
 {
-  for (const auto* held : { &this->Cavity, &this->Rim, &this->Fresh })
+  for (const auto* held : { done ? &this->Fresh : &this->Cavity, &this->Rim })
   {
     for (const Index cell : *held)
     {

@@ -2,63 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/geometry/delaunay_complex.h"
-#include "filters/geometry/large_array.h"
+#include "filters/geometry/delaunay_cells.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace scan
 {
-
-/// A cell of a triangulation that grows: a tetrahedron, or what is between a triangle of the hull
-/// and infinity, or free.
-struct DelaunayCell
-{
-  static constexpr Index kInfinity = kNone - 1; ///< as a vertex; always the last one of a cell
-
-  std::array<Index, 4> vertices;
-  std::array<Facet, 4> mirror; ///< as in DelaunayComplex, never kNone
-
-  bool isFree() const { return this->vertices[3] == kNone; }
-  bool isTetrahedron() const { return this->vertices[3] < kInfinity; }
-  void setFree(Facet successor)
-  {
-    this->vertices[3] = kNone;
-    this->mirror[0] = successor;
-  }
-};
-
-/// The cells of a Delaunay triangulation that several workers enlarge at the same time.
-///
-/// Who holds the mark of a cell may read and change it, and read the vertices of its neighbours,
-/// which nobody can remove then. Free cells lead to a younger one, so that whoever remembers a
-/// cell finds to the triangulation.
-class DelaunayCells
-{
-public:
-  /// The triangulation of four points that are not in one plane, in any order.
-  DelaunayCells(std::span<const Vec3> points, std::array<Index, 4> corners);
-
-  std::span<const Vec3> points;     ///< distinct
-  LargeArray<DelaunayCell> cells;   ///< the first used() of them
-  std::vector<std::uint16_t> marks; ///< per cell: 0, or of the worker that holds it
-
-  Index used() const { return this->Used.load(std::memory_order_relaxed); }
-
-  static constexpr Index kBlock = 128;
-  /// The first of kBlock new free cells, kNone when there is no room for them.
-  Index takeBlock();
-  /// Makes room for `more` cells; only while no worker is at work.
-  /// @throws Error limit beyond 2^30.
-  void makeRoom(std::size_t more);
-
-private:
-  std::atomic<Index> Used{ 0 };
-};
 
 /// Inserts points one at a time: finds the cells whose circumspheres hold the point and replaces
 /// them by the cells between the point and their rim.
@@ -104,6 +55,7 @@ private:
   bool acquire(Index cell);
   void setMark(Index cell, std::uint16_t mark);
   bool moveTo(Index& cell, Index next);
+  bool acquireHint();
   bool locate(const Vec3& p, Index& found);
   int facetBefore(const DelaunayCell& cell, const Vec3& p, int entered) const;
   bool inConflict(const DelaunayCell& cell, const Vec3& p) const;
@@ -113,7 +65,7 @@ private:
   bool linkThroughTable();
   void linkBySorting();
   Facet& facetAt(Index from, Index to) { return this->FacetAt[Numbering::kMost * from + to]; }
-  void release();
+  void release(bool done);
 
   DelaunayCells& All;
   const std::uint16_t Held;     // mark of cells around the cavity
