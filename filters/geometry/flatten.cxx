@@ -123,7 +123,8 @@ bool isPolygon(const DelaunayComplex& complex, const Piece& piece)
     vertices.insert(vertices.end(), v.begin(), v.end());
   }
   std::ranges::sort(vertices);
-  return piece.size() + 2 == vertices.size() - std::ranges::unique(vertices).size();
+  const auto count = std::unique(vertices.begin(), vertices.end()) - vertices.begin();
+  return piece.size() + 2 == static_cast<std::size_t>(count);
 }
 
 /// Radii from large to small, the triangles' names at the end: smaller is better.

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <ranges>
 
 namespace scan::test
 {
@@ -74,7 +73,10 @@ TEST(Flatten, HelixIsADiskOfAllPoints)
     }
   }
   std::vector<Facet> marks;
-  std::ranges::copy(bridges | std::views::values, std::back_inserter(marks));
+  for (const auto& [tet, facet] : bridges)
+  {
+    marks.push_back(facet);
+  }
   EXPECT_EQ(push(model, marks, {}, {}, execution).blocks.size(), 20U);
 
   const WrapModel before = model;
