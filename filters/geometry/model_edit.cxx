@@ -7,7 +7,6 @@ namespace scan
 
 void ModelEdit::removeWhole(std::span<const Index> tets)
 {
-  this->Next->setFollowsFlow(false);
   for (const Index tet : tets)
   {
     this->Editor.removeTet(tet);
@@ -26,11 +25,9 @@ void ModelEdit::removeWhole(std::span<const Index> tets)
 
 EditReport ModelEdit::finish()
 {
-  this->Next->setFollowsFlow(false);
-  Execution execution(1);
   EditReport report{ .change = this->Editor.change(),
-    .surface = compareSurfaces(*this->Model.current, *this->Next, execution) };
-  this->makeCurrent();
+    .surface = compareSurfaces(*this->Model.current, *this->Next, this->Editor) };
+  this->Model.current = this->Next;
   return report;
 }
 
