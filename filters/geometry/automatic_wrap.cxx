@@ -3,7 +3,6 @@
 #include "filters/geometry/automatic_wrap.h"
 
 #include "filters/geometry/basin_refinement.h"
-#include "filters/geometry/collect.h"
 #include "filters/geometry/fine_tune.h"
 #include "filters/geometry/mesh_checks.h"
 #include "filters/geometry/open_surface.h"
@@ -15,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace scan
 {
@@ -35,33 +35,6 @@ struct Scan
 
   const DelaunayComplex& complex() const { return this->flow.delaunay(); }
 };
-
-/// The triangles between inside and outside, seen from inside where they can be.
-std::vector<Facet> cutOf(const DelaunayComplex& complex, const OutsideRooms& outside,
-  const std::vector<std::uint8_t>& inside, Execution& execution)
-{
-  const auto isCut = [&](Facet facet, Index tet)
-  {
-    const Facet other = complex.mirror[tet][facet % 4];
-    if (other != kNone)
-    {
-      return inside[tet] && !inside[other / 4];
-    }
-    const Index room = outside.beyond(facet);
-    return room != kNone && inside[tet] != outside.side[room];
-  };
-  return collect<Facet>(complex.tetCount(), execution,
-    [&](Index tet, auto& found)
-    {
-      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-      {
-        if (isCut(facet, tet))
-        {
-          found.push_back(facet);
-        }
-      }
-    });
-}
 
 /// Swaps the sides where most of the outside is on side 1.
 void nameSides(const OutsideRooms& outside, std::vector<std::uint8_t>& side, Index basinCount)
@@ -95,7 +68,7 @@ AutomaticWrap refined(const Scan& scan, const std::vector<Wall>& walls, OutsideR
   {
     wrap.inside = fineTune(scan.flow, scan.spacing, outside, std::move(wrap.inside), execution);
   }
-  wrap.surface = cutOf(scan.complex(), outside, wrap.inside, execution);
+  wrap.surface = cutTriangles(scan.complex(), outside, wrap.inside, execution);
   return wrap;
 }
 
@@ -141,20 +114,24 @@ TriMesh meshOf(const DelaunayComplex& complex, const AutomaticWrap& wrap)
   return mesh;
 }
 
-double excessOf(const Scan& scan, const AutomaticWrap& wrap)
+double excessOf(const Scan& scan, const AutomaticWrap& wrap, Execution& execution)
 {
-  double excess = 0.0;
-  for (const Facet facet : wrap.surface)
-  {
-    excess +=
-      triangleSize(scan.complex(), scan.spacing, scan.complex().facetVertices(facet)).excess();
-  }
-  return excess;
+  std::vector<double> excess(wrap.surface.size());
+  execution.parallelFor(excess.size(), 1 << 13,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Triangle triangle = scan.complex().facetVertices(wrap.surface[i]);
+        excess[i] = TriangleSize(scan.complex(), scan.spacing, triangle).excess();
+      }
+    });
+  return std::accumulate(excess.begin(), excess.end(), 0.0);
 }
 
 /// Whether a closed surface is so far from covering every point by one surface without webs that an
 /// open one may do better; spares the second start where it would only cost time.
-bool mayBeOpen(const Scan& scan, const AutomaticWrap& closed)
+bool mayBeOpen(const Scan& scan, const AutomaticWrap& closed, Execution& execution)
 {
   std::vector<std::uint8_t> covered(scan.complex().points.size(), 0);
   for (const Facet facet : closed.surface)
@@ -167,13 +144,14 @@ bool mayBeOpen(const Scan& scan, const AutomaticWrap& closed)
   const auto points = static_cast<double>(std::count(covered.begin(), covered.end(), 1));
   const double missed = static_cast<double>(covered.size()) - points;
   const double euler = points - 0.5 * static_cast<double>(closed.surface.size());
-  const double cost = missed + std::abs(2.0 - euler) + kExcessWeight * excessOf(scan, closed);
+  const double cost =
+    missed + std::abs(2.0 - euler) + kExcessWeight * excessOf(scan, closed, execution);
   return cost > kDoubtShare * static_cast<double>(covered.size());
 }
 
 /// What keeps the surface that is shown from being one surface through every point; see
 /// wrapAutomatically(). Crumbs earn nothing, though each has the Euler characteristic of a sphere.
-double costOf(const Scan& scan, const AutomaticWrap& wrap)
+double costOf(const Scan& scan, const AutomaticWrap& wrap, Execution& execution)
 {
   const MeshReport mesh = describeMesh(meshOf(scan.complex(), wrap));
   const auto components = static_cast<double>(mesh.components.size());
@@ -181,7 +159,8 @@ double costOf(const Scan& scan, const AutomaticWrap& wrap)
     0.5 *
       static_cast<double>(mesh.eulerCharacteristic + static_cast<std::int64_t>(mesh.boundaryLoops));
   return static_cast<double>(mesh.points - mesh.pointsUsed) + components + 2.0 * std::abs(handles) +
-    0.25 * mesh.boundaryEdges + 0.5 * mesh.nonManifoldEdges + kExcessWeight * excessOf(scan, wrap);
+    0.25 * mesh.boundaryEdges + 0.5 * mesh.nonManifoldEdges +
+    kExcessWeight * excessOf(scan, wrap, execution);
 }
 
 } // namespace
@@ -216,12 +195,14 @@ AutomaticWrap wrapAutomatically(const FlowComplex& flow, const Basins& basins,
     return openWrap(scan, walls, execution);
   }
   AutomaticWrap closed = closedWrap(scan, walls, execution);
-  if (options.opening == Opening::cap || !mayBeOpen(scan, closed))
+  if (options.opening == Opening::cap || !mayBeOpen(scan, closed, execution))
   {
     return closed;
   }
   AutomaticWrap open = openWrap(scan, walls, execution);
-  return costOf(scan, open) < kClearShare * costOf(scan, closed) ? open : closed;
+  const bool isBetter =
+    costOf(scan, open, execution) < kClearShare * costOf(scan, closed, execution);
+  return isBetter ? open : closed;
 }
 
 } // namespace scan

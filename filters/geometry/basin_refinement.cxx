@@ -52,7 +52,7 @@ std::vector<MeasuredWall> measure(const FlowComplex& flow, const Basins& basins,
           doorRatio = static_cast<float>(
             std::min(basins.size[a], basins.size[b]) / std::sqrt(facetRadiusSquared(flow, facet)));
         }
-        measured[w] = { v, a, b, static_cast<float>(triangleSize(complex, spacing, v).excess()),
+        measured[w] = { v, a, b, static_cast<float>(TriangleSize(complex, spacing, v).excess()),
           doorRatio };
       }
     });

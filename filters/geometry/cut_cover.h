@@ -4,6 +4,7 @@
 
 #include "filters/geometry/mesh.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace scan
@@ -20,6 +21,12 @@ public:
 
   std::size_t pointCount() const { return this->CutTriangles.size(); }
   int cutTriangles(Index point) const { return this->CutTriangles[point]; }
+
+  bool coversAll() const
+  {
+    return std::find(this->CutTriangles.begin(), this->CutTriangles.end(), 0) ==
+      this->CutTriangles.end();
+  }
 
   /// Adds `change` cut triangles at a point; returns the change in covered points.
   int count(Index point, int change)

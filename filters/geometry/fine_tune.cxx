@@ -4,12 +4,14 @@
 
 #include "filters/geometry/collect.h"
 #include "filters/geometry/cut_cover.h"
+#include "filters/geometry/incidence.h"
 #include "filters/geometry/triangle_size.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <limits>
+#include <span>
 
 namespace scan
 {
@@ -26,7 +28,7 @@ class FineTuning
 {
 public:
   FineTuning(const DelaunayComplex& complex, const std::vector<float>& spacing,
-    const OutsideRooms& outside, std::vector<std::uint8_t> inside)
+    const OutsideRooms& outside, std::vector<std::uint8_t> inside, Execution& execution)
     : Complex(complex)
     , Spacing(spacing)
     , Outside(outside)
@@ -34,13 +36,9 @@ public:
     , Cover(Complex.points.size())
     , Queued(Complex.tetCount(), 0)
   {
-    for (Facet facet = 0; facet < 4 * this->Complex.tetCount(); ++facet)
+    for (const Facet facet : this->cutTriangles(execution))
     {
-      const Facet other = this->Complex.mirror[facet / 4][facet % 4];
-      if (facet < other && this->isCut(facet)) // each cut triangle once
-      {
-        this->Cover.count(this->Complex.facetVertices(facet), +1);
-      }
+      this->Cover.count(this->Complex.facetVertices(facet), +1);
     }
   }
 
@@ -50,7 +48,8 @@ public:
     return collect<Index>(this->Complex.tetCount(), execution,
       [this](Index tet, std::vector<Index>& found)
       {
-        if (this->touchesCut(tet) && this->gain(tet) > kLeastGain)
+        const unsigned cut = this->cutFacets(tet);
+        if (cut != 0 && this->gain(tet, cut, kLeastGain) > kLeastGain)
         {
           found.push_back(tet);
         }
@@ -64,7 +63,8 @@ public:
     for (const Index tet : candidates)
     {
       this->Queued[tet] = 0;
-      if (this->touchesCut(tet) && this->gain(tet) > kLeastGain)
+      const unsigned cut = this->cutFacets(tet);
+      if (cut != 0 && this->gain(tet, cut, kLeastGain) > kLeastGain)
       {
         this->flip(tet);
         this->queueStars(tet, around);
@@ -76,7 +76,8 @@ public:
   /// The tetrahedra at points that the cut misses.
   std::vector<Index> findMissing(Execution& execution) const
   {
-    return collect<Index>(this->Complex.tetCount(), execution,
+    const Index all = this->Cover.coversAll() ? 0 : this->Complex.tetCount();
+    return collect<Index>(all, execution,
       [this](Index tet, std::vector<Index>& found)
       {
         if (this->missesPoint(tet))
@@ -86,17 +87,46 @@ public:
       });
   }
 
-  /// The tetrahedra around edges with more than two cut triangles.
+  /// The tetrahedra around edges with more than two cut triangles. Seen from inside the directed
+  /// edges of a manifold are all different.
   std::vector<Index> findCrowded(Execution& execution) const
   {
-    return collect<Index>(this->Complex.tetCount(), execution,
-      [this](Index tet, std::vector<Index>& found)
+    const std::vector<Facet> cut = this->cutTriangles(execution);
+    const auto outward = [&](Facet facet)
+    {
+      const Triangle v = this->Complex.facetVertices(facet);
+      return this->Inside[facet / 4] ? v : Triangle{ v[0], v[2], v[1] };
+    };
+    const Incidence edgesFrom(this->Complex.points.size(), cut.size(),
+      [&](std::size_t i, auto&& visit)
       {
-        for (unsigned cut = this->cutFacets(tet); cut != 0; cut &= cut - 1)
+        const Triangle v = outward(cut[i]);
+        for (int k = 0; k < 3; ++k)
         {
-          this->findCrowdedEdges(4 * tet + static_cast<Facet>(std::countr_zero(cut)), found);
+          if (v[k] < v[(k + 1) % 3])
+          {
+            visit(v[k]);
+          }
         }
       });
+    std::vector<Index> found;
+    std::vector<Index> ends;
+    for (Index from = 0; from < edgesFrom.owners(); ++from)
+    {
+      ends.clear();
+      for (const Index i : edgesFrom.of(from))
+      {
+        const Triangle v = outward(cut[i]);
+        const int k = v[0] == from ? 0 : v[1] == from ? 1 : 2;
+        const Index to = v[(k + 1) % 3];
+        if (std::find(ends.begin(), ends.end(), to) != ends.end())
+        {
+          this->appendAround(cut[i], v[(k + 2) % 3], found);
+        }
+        ends.push_back(to);
+      }
+    }
+    return found;
   }
 
   /// Flips pairs of neighbours with one label where that pays, as long as `isWanted` by the first;
@@ -131,40 +161,31 @@ public:
   std::vector<std::uint8_t> takeLabels() { return std::move(this->Inside); }
 
 private:
+  std::vector<Facet> cutTriangles(Execution& execution) const
+  {
+    return scan::cutTriangles(this->Complex, this->Outside, this->Inside, execution);
+  }
+
   bool touchesCut(Index tet) const { return this->cutFacets(tet) != 0; }
 
-  /// Appends the tetrahedra around those edges of a cut triangle that have more than two; each edge
-  /// is left to the smallest name of a cut triangle there.
-  void findCrowdedEdges(Facet facet, std::vector<Index>& found) const
+  /// Appends the tetrahedra around the edge of a facet that is opposite to a vertex of it.
+  void appendAround(Facet facet, Index opposite, std::vector<Index>& found) const
   {
-    for (const Index behind : this->Complex.facetVertices(facet))
-    {
-      const std::size_t before = found.size();
-      int count = 1;
-      const bool isSmallest = this->Complex.walkWholeEdge(facet, behind,
-        [&](Facet, Facet leaving, Facet beyond)
-        {
-          found.push_back(leaving / 4);
-          if (leaving == facet || beyond == facet || !this->isCut(leaving))
-          {
-            return true;
-          }
-          ++count;
-          return leaving > facet && beyond > facet;
-        });
-      if (!isSmallest || count <= 2)
+    this->Complex.walkWholeEdge(facet, opposite,
+      [&](Facet entering, Facet, Facet)
       {
-        found.resize(before);
-      }
-    }
+        found.push_back(entering / 4);
+        return true;
+      });
   }
 
   /// Flips two tetrahedra if that pays.
   bool flipPair(Index a, Index b)
   {
-    const double first = this->gain(a, -kInfinity);
+    const double first = this->gain(a, this->cutFacets(a), -kInfinity);
     this->flip(a);
-    if (first + this->gain(b, kLeastGain - first) > kLeastGain)
+    const double both = first + this->gain(b, this->cutFacets(b), kLeastGain - first);
+    if (both > kLeastGain)
     {
       this->flip(b);
       return true;
@@ -209,9 +230,9 @@ private:
   }
 
   /// What the objective gains by flipping the tetrahedron; exact where that is more than `least`.
-  double gain(Index tet, double least = kLeastGain) const
+  /// @param cut its cut facets
+  double gain(Index tet, unsigned cut, double least) const
   {
-    const unsigned cut = this->cutFacets(tet);
     const unsigned entering = this->cuttableFacets(tet) & ~cut;
     const int leave = std::popcount(cut);
     int points = 0;
@@ -253,7 +274,7 @@ private:
     {
       const Facet facet = 4 * tet + static_cast<Facet>(std::countr_zero(facets));
       sum +=
-        triangleSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)).excess();
+        TriangleSize(this->Complex, this->Spacing, this->Complex.facetVertices(facet)).excess();
     }
     return sum;
   }
@@ -366,7 +387,7 @@ std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<fl
   const OutsideRooms& outside, std::vector<std::uint8_t> inside, Execution& execution)
 {
   execution.step("fine-tune", 0, 3);
-  FineTuning tuning(flow.delaunay(), spacing, outside, std::move(inside));
+  FineTuning tuning(flow.delaunay(), spacing, outside, std::move(inside), execution);
   execution.step("fine-tune", 1, 3);
   const auto flipAll = [&](std::vector<Index> candidates)
   {

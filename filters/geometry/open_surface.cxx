@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/open_surface.h"
 
+#include "filters/geometry/flow_complex.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/triangle_size.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <queue>
 
@@ -31,7 +33,10 @@ public:
     for (const Facet facet : facets)
     {
       this->Mesh.triangles.push_back(complex.facetVertices(facet));
-      this->Sizes.push_back(triangleSize(complex, spacing, this->Mesh.triangles.back()));
+      const Triangle& v = this->Mesh.triangles.back();
+      const TriangleSize size(complex, spacing, v);
+      this->Areas.push_back(size.area());
+      this->Radii.push_back(std::sqrt(circumradiusSquared(complex, v)) / size.spacing());
     }
     EdgePairs pairs = pairEdges(this->Mesh);
     this->Mate = std::move(pairs.mate);
@@ -85,7 +90,7 @@ public:
         }
       }
       std::stable_sort(triangles.begin(), triangles.end(),
-        [&](Index s, Index t) { return this->Sizes[s].radius > this->Sizes[t].radius; });
+        [&](Index s, Index t) { return this->Radii[s] > this->Radii[t]; });
       std::size_t left = triangles.size();
       for (std::size_t i = 0; i < triangles.size() && left > 2; ++i)
       {
@@ -138,8 +143,7 @@ public:
 private:
   bool isSparse(Index t) const
   {
-    const TriangleSize& size = this->Sizes[t];
-    return size.radius > kSparseRadius && size.area > kSparseArea;
+    return this->Radii[t] > kSparseRadius && this->Areas[t] > kSparseArea;
   }
 
   /// For a half-edge of a shown triangle.
@@ -158,7 +162,7 @@ private:
     double area = 0.0;
     for (std::size_t i = 0; i < piece.size(); ++i)
     {
-      area += this->Sizes[piece[i]].area;
+      area += this->Areas[piece[i]];
       for (Index half = 3 * piece[i]; half < 3 * piece[i] + 3; ++half)
       {
         const Index mate = this->Mate[half];
@@ -178,9 +182,9 @@ private:
 
   void queueTriangle(Index t)
   {
-    if (this->Sizes[t].radius > kRimSize)
+    if (this->Radii[t] > kRimSize)
     {
-      this->Queue.emplace(this->Sizes[t].radius, t);
+      this->Queue.emplace(this->Radii[t], t);
     }
   }
 
@@ -211,7 +215,8 @@ private:
   }
 
   TriMesh Mesh;
-  std::vector<TriangleSize> Sizes;
+  std::vector<double> Radii;  ///< per triangle: circumradius / spacing
+  std::vector<double> Areas;  ///< per triangle: area / spacing^2
   std::vector<Index> Mate;    ///< per half-edge; itself where more than two triangles meet
   std::vector<Index> Crowded; ///< half-edges at edges of more than two triangles, see EdgePairs
   std::vector<Index> CrowdedBegin;

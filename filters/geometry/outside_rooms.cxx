@@ -75,4 +75,35 @@ OutsideRooms denseOutside(
   return outside;
 }
 
+std::vector<Facet> cutTriangles(const DelaunayComplex& complex, const OutsideRooms& outside,
+  const std::vector<std::uint8_t>& inside, Execution& execution)
+{
+  const auto isCut = [&](Facet facet, Index tet)
+  {
+    const Facet other = complex.mirror[tet][facet % 4];
+    if (other != kNone)
+    {
+      return inside[tet] && !inside[other / 4];
+    }
+    const Index room = outside.beyond(facet);
+    return room != kNone && inside[tet] != outside.side[room];
+  };
+  const bool allOutside = std::count(outside.side.begin(), outside.side.end(), 1) == 0;
+  return collect<Facet>(complex.tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      if (!inside[tet] && allOutside)
+      {
+        return;
+      }
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      {
+        if (isCut(facet, tet))
+        {
+          found.push_back(facet);
+        }
+      }
+    });
+}
+
 } // namespace scan

@@ -42,4 +42,10 @@ OutsideRooms oneOutside(const DelaunayComplex& complex, Execution& execution);
 OutsideRooms denseOutside(
   const DelaunayComplex& complex, const std::vector<float>& spacing, Execution& execution);
 
+/// The triangles between side 1 and side 0, in increasing order: of the two names that of side 1,
+/// on the hull the only one.
+/// @param inside per tetrahedron its side
+std::vector<Facet> cutTriangles(const DelaunayComplex& complex, const OutsideRooms& outside,
+  const std::vector<std::uint8_t>& inside, Execution& execution);
+
 } // namespace scan
