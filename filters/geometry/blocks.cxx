@@ -43,11 +43,16 @@ std::vector<Door> findDoors(const Blocks& blocks, Execution& execution)
 Blocks::Blocks(const FlowComplex& flow, const Basins& basins, Execution& execution)
   : Flow(flow)
   , TheBasins(basins)
+  , TetCount(basins.count() + 1, 0)
   , Size(basins.count() + 1, kInfinity)
   , Persistence(basins.count() + 1, 1.0)
   , Opening(basins.count() + 1, kInfinity)
 {
   execution.step("blocks", 0, 3);
+  for (const Index basin : basins.ofTet)
+  {
+    ++this->TetCount[basin];
+  }
   for (Index block = 0; block < basins.count(); ++block)
   {
     if (this->isVolume(block))

@@ -33,6 +33,7 @@ public:
   Blocks(const FlowComplex& flow, const Basins& basins, Execution& execution);
 
   const FlowComplex& flow() const { return this->Flow; }
+  const Basins& basins() const { return this->TheBasins; }
 
   Index outside() const { return this->TheBasins.count(); }
   bool isVolume(Index block) const
@@ -47,6 +48,7 @@ public:
     return this->TheBasins.leavesHull(basin) ? this->outside() : basin;
   }
 
+  Index tetCount(Index block) const { return this->TetCount[block]; } ///< that flow to its sink
   Index sink(Index block) const { return this->TheBasins.sink[block]; }
   double size(Index block) const { return this->Size[block]; }
 
@@ -71,6 +73,7 @@ private:
 
   const FlowComplex& Flow;
   const Basins& TheBasins;
+  std::vector<Index> TetCount;
   std::vector<double> Size;
   std::vector<double> Persistence;
   std::vector<double> Opening;

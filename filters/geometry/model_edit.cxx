@@ -7,6 +7,7 @@ namespace scan
 
 void ModelEdit::removeWhole(std::span<const Index> tets)
 {
+  this->Next->setFollowsFlow(false);
   for (const Index tet : tets)
   {
     this->Editor.removeTet(tet);
@@ -25,9 +26,11 @@ void ModelEdit::removeWhole(std::span<const Index> tets)
 
 EditReport ModelEdit::finish()
 {
+  this->Next->setFollowsFlow(false);
+  Execution execution(1);
   EditReport report{ .change = this->Editor.change(),
-    .surface = compareSurfaces(*this->Model.current, *this->Next, this->Editor) };
-  this->Model.current = this->Next;
+    .surface = compareSurfaces(*this->Model.current, *this->Next, execution) };
+  this->makeCurrent();
   return report;
 }
 

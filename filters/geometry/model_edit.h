@@ -48,8 +48,13 @@ public:
   /// boundary. Leaves no sheets.
   void removeWhole(std::span<const Index> tets);
 
-  /// Makes the new state the current one.
+  /// Makes the new state the current one, and tells what changed. The edit may have been anything:
+  /// the new state is not taken to follow the flow.
   EditReport finish();
+
+  /// Makes the new state the current one. It follows the flow if the earlier one did: for edits
+  /// that collapse all they can.
+  void makeCurrent() { this->Model.current = this->Next; }
 
 private:
   WrapModel& Model;

@@ -62,18 +62,18 @@ public:
     const WrapModel now = this->State.now();
     for (const Facet triangle : triangles)
     {
+      this->collapse();
       if (isOnSurface(this->State.kept(), triangle))
       {
         this->removeBehind(triangle, blockBehind(now, this->TheBlocks, triangle));
-        this->collapse();
       }
     }
     for (const BlockName& block : named)
     {
+      this->collapse();
       if (isKept(this->State.kept(), this->TheBlocks, block))
       {
         this->removeBlock(block);
-        this->collapse();
       }
     }
     this->removeDoors();
@@ -101,7 +101,12 @@ public:
 
   PushReport finish()
   {
-    static_cast<EditReport&>(this->Report) = this->State.finish();
+    this->Report.change = this->Editor.change();
+    if (this->Options.compare)
+    {
+      this->Report.surface = compareSurfaces(*this->Model.current, this->State.kept(), this->Run);
+    }
+    this->State.makeCurrent();
     return std::move(this->Report);
   }
 
@@ -154,7 +159,7 @@ private:
   {
     if (!block.isSheet)
     {
-      this->forEachInReach(block.name, [&](Index volume) { this->removeVolume(volume); });
+      this->removeVolumes(block.name);
     }
     else if (this->State.kept().isSheet(block.name))
     {
@@ -163,31 +168,39 @@ private:
     }
   }
 
-  void removeVolume(Index block)
+  void removeVolumes(Index first)
   {
-    if (this->Model.isSolid)
-    {
-      std::vector<Index> tets = tetsOfBasin(*this->Model.scan, block);
-      std::erase_if(tets, [&](Index tet) { return !this->State.kept().keepsTet(tet); });
-      if (tets.empty())
+    this->forEachInReach(first,
+      [&](Index volume)
       {
-        return;
-      }
-      this->State.removeWhole(tets);
-    }
-    else if (const Index sink = this->TheBlocks.sink(block); this->State.kept().keepsTet(sink))
-    {
-      this->Editor.removeTet(sink);
-    }
-    else
-    {
-      return;
-    }
-    this->Report.blocks.push_back({ .isSheet = false, .name = block });
+        const bool goes = this->Model.isSolid
+          ? this->removeSolid(volume)
+          : this->State.kept().keepsTet(this->TheBlocks.sink(volume));
+        if (goes)
+        {
+          this->Going.push_back(volume);
+          this->Report.blocks.push_back({ .isSheet = false, .name = volume });
+        }
+      });
+  }
+
+  bool removeSolid(Index block)
+  {
+    std::vector<Index> tets = tetsOfBasin(*this->Model.scan, block);
+    std::erase_if(tets, [&](Index tet) { return !this->State.kept().keepsTet(tet); });
+    this->State.removeWhole(tets);
+    return !tets.empty();
   }
 
   void removeDoors()
   {
+    if (!this->Model.isSolid && this->Editor.isBulk(this->Going, this->TheBlocks))
+    {
+      this->Report.doors +=
+        this->Editor.removeInBulk(this->Going, this->doorsInReach(), this->TheBlocks, this->Run);
+      this->Going.clear();
+    }
+    this->collapse();
     Index before = 0;
     do // without a door more may collapse, and bare more doors
     {
@@ -203,20 +216,45 @@ private:
     } while (this->Report.doors != before);
   }
 
-  /// Solids are not bound to the flow: of them goes what is asked for and nothing else.
+  std::vector<Facet> doorsInReach() const
+  {
+    std::vector<Facet> triangles;
+    for (const Index block : this->Reached)
+    {
+      for (const Index d : this->TheBlocks.doorsOf(block))
+      {
+        const Door& door = this->TheBlocks.doors()[d];
+        if (this->isPassed(door))
+        {
+          triangles.push_back(door.triangle);
+        }
+      }
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+  }
+
+  /// Everything that collapses without the blocks that are going. Solids are not bound to the flow:
+  /// of them goes what is asked for and nothing else.
   void collapse()
   {
     if (!this->Model.isSolid)
     {
-      this->Editor.collapse(this->Run);
+      this->Editor.removeVolumes(this->Going, this->TheBlocks, this->Run);
     }
+    this->Going.clear();
+  }
+
+  /// Whether one of the sides passes to the other.
+  bool isPassed(const Door& door) const
+  {
+    return this->TheBlocks.passes(door.a, door, this->Options.reach) ||
+      this->TheBlocks.passes(door.b, door, this->Options.reach);
   }
 
   void removeIfBare(const Door& door)
   {
-    if (this->State.kept().isSheet(door.triangle) &&
-      (this->TheBlocks.passes(door.a, door, this->Options.reach) ||
-        this->TheBlocks.passes(door.b, door, this->Options.reach)))
+    if (this->State.kept().isSheet(door.triangle) && this->isPassed(door))
     {
       this->Editor.removeSheet(door.triangle);
       ++this->Report.doors;
@@ -264,6 +302,7 @@ private:
   ModelEdit State;
   WrapEditor& Editor;
   std::unordered_set<Index> Reached;
+  std::vector<Index> Going; ///< volumes that are still to be removed
   PushReport Report;
 };
 

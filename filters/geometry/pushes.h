@@ -15,8 +15,9 @@ namespace scan
 
 struct PushOptions
 {
-  bool deep = false;  ///< and every block that one can pass to from there, recursively
-  double reach = 1.5; ///< kappa >= 1: one passes from a block of size r through doors of r / kappa
+  bool deep = false;   ///< and every block that one can pass to from there, recursively
+  double reach = 1.5;  ///< kappa >= 1: one passes from a block of size r through doors of r / kappa
+  bool compare = true; ///< report the change of the surface; otherwise see compareSurfaces()
 };
 
 /// What a push or pull did.

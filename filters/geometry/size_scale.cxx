@@ -75,14 +75,12 @@ void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double fr
 void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from, double to,
   Execution& execution) const
 {
+  std::vector<Index> opened;
   for (const Entry& entry : between(this->Openings, from, to))
   {
-    if (const Index sink = this->TheBlocks.sink(entry.name); complex.keepsTet(sink))
-    {
-      editor.removeTet(sink);
-    }
+    opened.push_back(entry.name);
   }
-  editor.collapse(execution);
+  editor.removeVolumes(opened, this->TheBlocks, execution);
   const auto removeIfBare = [&](Facet triangle)
   {
     if (complex.isSheet(triangle))
@@ -97,9 +95,9 @@ void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from
   editor.collapse(execution);
   // wider ones stood as long as there was a solid beside them, and each that goes may bare others
   const FlowComplex& flow = this->TheBlocks.flow();
-  for (std::size_t i = 0; i < editor.touchedSheets().size(); ++i)
+  for (std::size_t i = 0; i < editor.baredSheets().size(); ++i)
   {
-    const Facet triangle = editor.touchedSheets()[i];
+    const Facet triangle = editor.baredSheets()[i];
     if (flow.isCriticalTriangle(triangle) && radiusOf(flow.delaunay(), triangle) > to)
     {
       removeIfBare(triangle);

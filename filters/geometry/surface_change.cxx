@@ -2,36 +2,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/surface_change.h"
 
+#include "filters/geometry/collect.h"
+
 #include <algorithm>
 
 namespace scan
 {
+namespace
+{
 
-SurfaceChange compareSurfaces(
-  const WrapComplex& before, const WrapComplex& after, const WrapEditor& editor)
+/// Appends the triangles of a tetrahedron that are on the surface of one state only. Of two
+/// tetrahedra that changed the one that names a triangle speaks for both.
+void compareAt(
+  const WrapComplex& before, const WrapComplex& after, Index tet, std::vector<Facet>& changed)
 {
   const DelaunayComplex& complex = before.flow().delaunay();
-  std::vector<Facet> changed;
-  const auto look = [&](Facet facet)
+  for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
   {
-    if (isOnSurface(before, facet) != isOnSurface(after, facet))
+    const Facet name = complex.canonical(facet);
+    if ((name == facet || before.isEqualAt(after, name / 4)) &&
+      isOnSurface(before, facet) != isOnSurface(after, facet))
     {
-      changed.push_back(complex.canonical(facet));
-    }
-  };
-  for (const Index tet : editor.touchedTets())
-  {
-    for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-    {
-      look(facet);
+      changed.push_back(name);
     }
   }
-  for (const Facet facet : editor.touchedSheets())
-  {
-    look(facet);
-  }
+}
+
+} // namespace
+
+SurfaceChange compareSurfaces(
+  const WrapComplex& before, const WrapComplex& after, Execution& execution)
+{
+  constexpr Index kRun = 256; // tetrahedra compared in one go
+  const Index count = before.flow().delaunay().tetCount();
+  std::vector<Facet> changed = collect<Facet>((count + kRun - 1) / kRun, execution,
+    [&](Index run, auto& found)
+    {
+      const Index end = std::min(count, kRun * (run + 1));
+      if (before.isEqualIn(after, kRun * run, end))
+      {
+        return;
+      }
+      for (Index tet = kRun * run; tet < end; ++tet)
+      {
+        if (!before.isEqualAt(after, tet))
+        {
+          compareAt(before, after, tet, found);
+        }
+      }
+    });
   std::ranges::sort(changed);
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   SurfaceChange change;
   for (const Facet facet : changed)
   {

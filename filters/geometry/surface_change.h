@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/geometry/wrap_editor.h"
+#include "filters/base/execution.h"
+#include "filters/geometry/wrap_complex.h"
 
 #include <vector>
 
@@ -23,8 +24,8 @@ inline bool isOnSurface(const WrapComplex& complex, Facet triangle)
   return complex.keptSides(triangle) == 1 || complex.isSheet(triangle);
 }
 
-/// Compares two states of which the editor made the second from the first.
+/// Compares two states of a complex. Time: a fast pass over their bytes, and what changed.
 SurfaceChange compareSurfaces(
-  const WrapComplex& before, const WrapComplex& after, const WrapEditor& editor);
+  const WrapComplex& before, const WrapComplex& after, Execution& execution);
 
 } // namespace scan

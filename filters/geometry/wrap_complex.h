@@ -72,6 +72,22 @@ public:
     this->State[name / 4] &= static_cast<std::uint8_t>(~(1U << (name % 4)));
   }
 
+  /// Whether this is the union of the lower sets of the critical simplices in it, so that nothing
+  /// can collapse. Whoever edits the complex says so.
+  bool followsFlow() const { return this->FollowsFlow; }
+  void setFollowsFlow(bool follows) { this->FollowsFlow = follows; }
+
+  /// Whether another state of the same complex is equal from one tetrahedron up to another.
+  bool isEqualIn(const WrapComplex& other, Index begin, Index end) const
+  {
+    return std::equal(
+      this->State.begin() + begin, this->State.begin() + end, other.State.begin() + begin);
+  }
+  bool isEqualAt(const WrapComplex& other, Index tet) const
+  {
+    return this->State[tet] == other.State[tet];
+  }
+
   friend bool operator==(const WrapComplex& a, const WrapComplex& b)
   {
     return a.Flow == b.Flow && a.State == b.State;
@@ -81,6 +97,7 @@ private:
   static constexpr std::uint8_t kTet = 16;
 
   const FlowComplex* Flow;
+  bool FollowsFlow = false;
   std::vector<std::uint8_t> State; ///< kTet; bit k: the canonical triangle k is a sheet
 };
 

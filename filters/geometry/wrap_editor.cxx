@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap_editor.h"
 
+#include "filters/geometry/bulk_collapse.h"
+#include "filters/geometry/collect.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -78,10 +81,12 @@ WrapEditor::WrapEditor(WrapComplex& complex, std::span<const CriticalEdge> lines
 
 bool WrapEditor::isLine(EdgeOfTriangle edge) const
 {
-  if (this->Lines.empty())
-  {
-    return false;
-  }
+  return !this->Lines.empty() &&
+    std::ranges::binary_search(this->Lines, this->verticesOf(edge), {}, &CriticalEdge::vertices);
+}
+
+Segment WrapEditor::verticesOf(EdgeOfTriangle edge) const
+{
   Segment ends{};
   auto end = ends.begin();
   for (const Index v : this->Complex.facetVertices(edge.triangle))
@@ -92,20 +97,19 @@ bool WrapEditor::isLine(EdgeOfTriangle edge) const
     }
   }
   std::ranges::sort(ends);
-  return std::ranges::binary_search(this->Lines, ends, {}, &CriticalEdge::vertices);
+  return ends;
 }
 
 void WrapEditor::removeTet(Index tet)
 {
   this->Kept.dropTet(tet);
   --this->Change.tetrahedra;
-  this->TouchedTets.push_back(tet);
   for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
   {
     if (this->Kept.keptSides(facet) == 0)
     {
       this->Kept.keepSheet(facet);
-      this->TouchedSheets.push_back(facet);
+      this->BaredSheets.push_back(facet);
       this->Triangles.push_back(facet);
     }
     else
@@ -119,7 +123,6 @@ void WrapEditor::removeSheet(Facet facet)
 {
   this->Kept.dropSheet(facet);
   --this->Change.triangles;
-  this->TouchedSheets.push_back(facet);
   forEachEdge(this->Complex, facet, [&](EdgeOfTriangle edge) { this->reviewEdge(edge); });
 }
 
@@ -164,6 +167,93 @@ void WrapEditor::reviewEdge(EdgeOfTriangle edge)
     const Index beyond = this->Complex.neighbour(last / 4, static_cast<int>(last % 4));
     this->Tets.push_back(this->Kept.keepsTet(last / 4) || beyond == kNone ? last / 4 : beyond);
   }
+}
+
+bool WrapEditor::isBulk(std::span<const Index> volumes, const Blocks& blocks) const
+{
+  // where a pass over all tetrahedra costs less than to collapse these one after the other
+  constexpr std::int64_t kTetsAPass = 256;
+  std::int64_t tets = 0;
+  for (const Index volume : volumes)
+  {
+    tets += blocks.tetCount(volume);
+  }
+  return this->Kept.followsFlow() && kTetsAPass * tets > this->Complex.tetCount();
+}
+
+void WrapEditor::removeVolumes(
+  std::span<const Index> volumes, const Blocks& blocks, Execution& execution)
+{
+  if (this->isBulk(volumes, blocks))
+  {
+    this->removeInBulk(volumes, {}, blocks, execution);
+    return;
+  }
+  for (const Index volume : volumes)
+  {
+    if (this->Kept.keepsTet(blocks.sink(volume)))
+    {
+      this->removeTet(blocks.sink(volume));
+    }
+  }
+  this->collapse(execution);
+}
+
+Index WrapEditor::removeInBulk(std::span<const Index> volumes, std::span<const Facet> doors,
+  const Blocks& blocks, Execution& execution)
+{
+  const BulkLoss loss = findBulkLoss(this->Kept, blocks, volumes, doors, execution);
+  std::int64_t triangles = static_cast<std::int64_t>(loss.free.size());
+  std::int64_t critical = 0; // sinks without doors
+  Index opened = 0;
+  for (const Index tet : loss.tets)
+  {
+    this->Kept.dropTet(tet);
+    triangles += std::popcount(this->Flow.attachedFacets(tet));
+    critical += this->Flow.isSink(tet) ? 1 : 0;
+  }
+  for (const Facet facet : loss.bared)
+  {
+    this->Kept.keepSheet(facet);
+    this->BaredSheets.push_back(facet);
+  }
+  for (const Facet facet : loss.free)
+  {
+    this->Kept.dropSheet(facet);
+    opened += this->Flow.isCriticalTriangle(facet) ? 1 : 0;
+  }
+  critical -= opened;
+  const auto tets = static_cast<std::int64_t>(loss.tets.size());
+  this->Change.tetrahedra -= tets;
+  this->Change.triangles -= triangles;
+  // what collapses takes as many edges and tetrahedra as triangles
+  this->Change.edges -= triangles - (tets - critical) + this->countLostEdges(loss.free, execution);
+  return opened;
+}
+
+/// Critical edges without a triangle after the loss of free triangles. A kept critical edge that is
+/// no line has a free triangle: the lowest of its kept triangles and tetrahedra is one.
+std::int64_t WrapEditor::countLostEdges(std::span<const Facet> gone, Execution& execution) const
+{
+  std::vector<Segment> lost = collect<Segment>(static_cast<Index>(gone.size()), execution,
+    [&](Index i, auto& found)
+    {
+      forEachEdge(this->Complex, gone[i],
+        [&](EdgeOfTriangle edge)
+        {
+          if (edge.apex != this->Flow.obtuseVertex(gone[i]) &&
+            keptTrianglesAtEdge(this->Kept, edge, 1) == 0 && !this->isLine(edge))
+          {
+            const EdgeInterval interval = intervalOfEdge(this->Flow, edge);
+            if (interval.tet == kNone && interval.triangle == kNone)
+            {
+              found.push_back(this->verticesOf(edge));
+            }
+          }
+        });
+    });
+  std::ranges::sort(lost);
+  return std::distance(lost.begin(), std::unique(lost.begin(), lost.end()));
 }
 
 void WrapEditor::collapse(Execution& execution)
@@ -247,7 +337,6 @@ void WrapEditor::addSheet(Facet facet)
   forEachEdge(this->Complex, facet, [&](EdgeOfTriangle edge) { this->meetEdge(edge); });
   this->Kept.keepSheet(facet);
   ++this->Change.triangles;
-  this->TouchedSheets.push_back(facet);
 }
 
 void WrapEditor::addTet(Index tet)
@@ -266,7 +355,6 @@ void WrapEditor::addTet(Index tet)
     this->Kept.dropSheet(facet);
   }
   ++this->Change.tetrahedra;
-  this->TouchedTets.push_back(tet);
 }
 
 void WrapEditor::addLowerSet(Index tet, const WrapComplex* within, Execution& execution)

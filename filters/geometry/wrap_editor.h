@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "filters/geometry/blocks.h"
 #include "filters/geometry/wrap_complex.h"
 
 #include <cstdint>
@@ -84,6 +85,18 @@ public:
   /// depend on their order.
   void collapse(Execution& execution);
 
+  /// Removes the sinks of volume blocks that are kept, and everything that then collapses.
+  void removeVolumes(std::span<const Index> volumes, const Blocks& blocks, Execution& execution);
+
+  /// Whether the blocks are large enough to remove them in bulk, and the state follows the flow.
+  bool isBulk(std::span<const Index> volumes, const Blocks& blocks) const;
+
+  /// The same as removeVolumes(), in one go, from states that follow the flow. Takes doors along,
+  /// as often as any is left whose sides are both gone; returns their number.
+  /// @param doors critical triangles in increasing order
+  Index removeInBulk(std::span<const Index> volumes, std::span<const Facet> doors,
+    const Blocks& blocks, Execution& execution);
+
   /// Adds a tetrahedron or triangle with its faces and everything that collapses only after it: the
   /// lower set of the radius function's relation. Only what `within` keeps, where that is given.
   void addLowerSet(Index tet, const WrapComplex* within, Execution& execution);
@@ -95,10 +108,8 @@ public:
 
   const WrapChange& change() const { return this->Change; }
 
-  /// Tetrahedra whose state changed, some perhaps twice or back again: the surface is as it was
-  /// elsewhere, except beside the sheets of touchedSheets().
-  const std::vector<Index>& touchedTets() const { return this->TouchedTets; }
-  const std::vector<Facet>& touchedSheets() const { return this->TouchedSheets; }
+  /// Triangles that became sheets by removals, some of which may have gone again.
+  const std::vector<Facet>& baredSheets() const { return this->BaredSheets; }
 
 private:
   void collapseTet(Index tet);
@@ -107,6 +118,8 @@ private:
   void meetEdge(EdgeOfTriangle edge);
   void addLowerSets(std::vector<Index> tets, std::vector<Facet> triangles,
     const WrapComplex* within, Execution& execution);
+  std::int64_t countLostEdges(std::span<const Facet> gone, Execution& execution) const;
+  Segment verticesOf(EdgeOfTriangle edge) const;
   bool isLine(EdgeOfTriangle edge) const;
 
   WrapComplex& Kept;
@@ -116,8 +129,7 @@ private:
   WrapChange Change;
   std::vector<Index> Tets;      ///< that may collapse now
   std::vector<Facet> Triangles; ///< that may collapse now
-  std::vector<Index> TouchedTets;
-  std::vector<Facet> TouchedSheets;
+  std::vector<Facet> BaredSheets;
 };
 
 } // namespace scan

@@ -248,6 +248,78 @@ TEST(Pushes, SurfaceChangeIsTheDifferenceOfTheSurfaces)
   }
 }
 
+/// Sinks one after the other, then the doors that are bare, as often as there are any.
+Index removeOneByOne(WrapEditor& editor, const WrapComplex& kept, const Blocks& blocks,
+  const std::vector<Index>& volumes, const std::vector<Facet>& doors)
+{
+  Execution execution(1);
+  for (const Index volume : volumes)
+  {
+    if (kept.keepsTet(blocks.sink(volume)))
+    {
+      editor.removeTet(blocks.sink(volume));
+    }
+  }
+  editor.collapse(execution);
+  Index removed = 0;
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const Facet door : doors)
+    {
+      if (kept.isSheet(door))
+      {
+        editor.removeSheet(door);
+        editor.collapse(execution);
+        changed = true;
+        ++removed;
+      }
+    }
+  }
+  return removed;
+}
+
+TEST(Pushes, InBulkAndOneByOneAreTheSame)
+{
+  for (const PointSet& set : scans(testSeed() + 3))
+  {
+    SCOPED_TRACE(set.name + ", SCAN_TEST_SEED=" + std::to_string(set.seed));
+    std::mt19937_64 random(set.seed);
+    const WrapModel start = wrapped(set.points, { .mode = WrapOptions::Mode::classic }).model;
+    Execution execution(2);
+    const Blocks& blocks = start.scan->blocks(execution);
+    WrapComplex bulky = *start.start;
+    WrapComplex single = *start.start;
+    WrapEditor bulk(bulky, *start.lines);
+    WrapEditor one(single, *start.lines);
+    for (int step = 0; step < 8; ++step)
+    {
+      std::vector<Index> volumes;
+      std::vector<Facet> doors;
+      for (Index block = 0; block < blocks.outside(); ++block)
+      {
+        if (blocks.isVolume(block) && random() % 8 == 0)
+        {
+          volumes.push_back(block);
+        }
+      }
+      for (const Door& door : blocks.doors())
+      {
+        if (random() % 3 == 0)
+        {
+          doors.push_back(door.triangle);
+        }
+      }
+      const Index opened = bulk.removeInBulk(volumes, doors, blocks, execution);
+      EXPECT_EQ(opened, removeOneByOne(one, single, blocks, volumes, doors));
+      ASSERT_EQ(bulky, single) << "step " << step;
+      EXPECT_EQ(bulk.change().tetrahedra, one.change().tetrahedra);
+      EXPECT_EQ(bulk.change().triangles, one.change().triangles);
+      EXPECT_EQ(bulk.change().edges, one.change().edges);
+    }
+  }
+}
+
 TEST(SizeScale, AnyStepGivesTheWrapOfThatSize)
 {
   for (const PointSet& set : scans(testSeed() + 2))
