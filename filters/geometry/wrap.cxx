@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 namespace scan
 {
@@ -55,8 +56,9 @@ WrapModel modelOf(
   return model;
 }
 
+/// Also tells the boundary of a closed surface, which has been found on the way.
 WrapModel wrapAutomatic(std::shared_ptr<const ScanComplex> scan, const WrapOptions& options,
-  WrapReport& report, Execution& execution)
+  WrapReport& report, std::optional<std::vector<Facet>>& boundary, Execution& execution)
 {
   AutomaticWrap found =
     wrapAutomatically(scan->flow(), scan->basins(), automaticOptions(options), execution);
@@ -71,6 +73,10 @@ WrapModel wrapAutomatic(std::shared_ptr<const ScanComplex> scan, const WrapOptio
     {
       kept->keepTet(tet);
     }
+  }
+  if (!found.isOpen)
+  {
+    boundary = std::move(found.surface);
   }
   report.isOpen = found.isOpen;
   report.openingTriangles = found.openingTriangles;
@@ -188,59 +194,15 @@ void makeManifold(WrapResult& result)
   result.report.nonManifoldVertices = split.verticesSplit;
 }
 
-} // namespace
-
-std::vector<Phase> wrapPhases(const WrapOptions& options)
+/// The surface of a model whose solids have this boundary.
+WrapResult surfaceFrom(
+  const WrapModel& model, std::vector<Facet> boundary, bool manifold, Execution& execution)
 {
-  std::vector<Phase> phases{ { "triangulate", 10.0 }, { "classify", 1.0 }, { "basins", 1.0 } };
-  if (options.mode == WrapOptions::Mode::classic)
-  {
-    phases.insert(phases.end(), { { "collapse", 2.0 }, { "edges", 1.0 } });
-    if (options.size < std::numeric_limits<double>::infinity())
-    {
-      phases.push_back({ "blocks", 1.0 });
-    }
-  }
-  else if (options.mode == WrapOptions::Mode::front)
-  {
-    phases.push_back({ "front", 20.0 });
-  }
-  else
-  {
-    const std::vector<Phase> automatic = automaticWrapPhases(automaticOptions(options));
-    phases.insert(phases.end(), automatic.begin(), automatic.end());
-  }
-  phases.push_back({ "surface", 1.0 });
-  return phases;
-}
-
-WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution)
-{
-  return wrap(std::make_shared<const ScanComplex>(points, execution), options, execution);
-}
-
-WrapResult wrap(
-  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
-{
-  using Mode = WrapOptions::Mode;
-  WrapReport found;
-  const WrapModel model = options.mode == Mode::classic
-    ? wrapClassic(std::move(scan), options, execution)
-    : options.mode == Mode::front ? wrapFront(std::move(scan), execution)
-                                  : wrapAutomatic(std::move(scan), options, found, execution);
-  WrapResult result = surfaceOf(model, options.manifold, execution);
-  result.report.isOpen = found.isOpen;
-  result.report.openingTriangles = found.openingTriangles;
-  return result;
-}
-
-WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution)
-{
-  execution.step("surface", 0, 3);
+  execution.step("surface", 1, 4);
   const DelaunayComplex& complex = model.scan->delaunay();
   WrapResult result;
   result.model = model;
-  result.facets = boundaryFacets(*model.current, execution);
+  result.facets = std::move(boundary);
   const std::vector<Facet> sheets = sheetFacets(model, execution);
   result.report.boundaryTriangles = static_cast<Index>(result.facets.size());
   result.report.sheetTriangles = static_cast<Index>(sheets.size());
@@ -281,18 +243,75 @@ WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution
       result.lines.push_back(line.vertices);
     }
   }
-  execution.step("surface", 1, 3);
+  execution.step("surface", 2, 4);
   compact(complex, result);
   result.report.duplicatesMerged = complex.duplicates;
   result.report.pointsRead = static_cast<Index>(complex.points.size()) + complex.duplicates;
   result.report.tetrahedra = complex.tetCount();
-  execution.step("surface", 2, 3);
+  execution.step("surface", 3, 4);
   if (manifold)
   {
     makeManifold(result);
   }
-  execution.step("surface", 3, 3);
+  execution.step("surface", 4, 4);
   return result;
+}
+
+} // namespace
+
+std::vector<Phase> wrapPhases(const WrapOptions& options)
+{
+  std::vector<Phase> phases{ { "triangulate", 10.0 }, { "classify", 1.0 }, { "basins", 1.0 } };
+  if (options.mode == WrapOptions::Mode::classic)
+  {
+    phases.insert(phases.end(), { { "collapse", 2.0 }, { "edges", 1.0 } });
+    if (options.size < std::numeric_limits<double>::infinity())
+    {
+      phases.push_back({ "blocks", 1.0 });
+    }
+  }
+  else if (options.mode == WrapOptions::Mode::front)
+  {
+    phases.push_back({ "front", 20.0 });
+  }
+  else
+  {
+    const std::vector<Phase> automatic = automaticWrapPhases(automaticOptions(options));
+    phases.insert(phases.end(), automatic.begin(), automatic.end());
+  }
+  phases.push_back({ "surface", 1.0 });
+  return phases;
+}
+
+WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution)
+{
+  return wrap(std::make_shared<const ScanComplex>(points, execution), options, execution);
+}
+
+WrapResult wrap(
+  std::shared_ptr<const ScanComplex> scan, const WrapOptions& options, Execution& execution)
+{
+  using Mode = WrapOptions::Mode;
+  WrapReport found;
+  std::optional<std::vector<Facet>> boundary;
+  const WrapModel model = options.mode == Mode::classic
+    ? wrapClassic(std::move(scan), options, execution)
+    : options.mode == Mode::front
+    ? wrapFront(std::move(scan), execution)
+    : wrapAutomatic(std::move(scan), options, found, boundary, execution);
+  execution.step("surface", 0, 4);
+  WrapResult result =
+    surfaceFrom(model, boundary ? std::move(*boundary) : boundaryFacets(*model.current, execution),
+      options.manifold, execution);
+  result.report.isOpen = found.isOpen;
+  result.report.openingTriangles = found.openingTriangles;
+  return result;
+}
+
+WrapResult surfaceOf(const WrapModel& model, bool manifold, Execution& execution)
+{
+  execution.step("surface", 0, 4);
+  return surfaceFrom(model, boundaryFacets(*model.current, execution), manifold, execution);
 }
 
 } // namespace scan
