@@ -157,7 +157,7 @@ double sizeOf(const Blocks& blocks, const BlockName& block)
                        : blocks.size(block.name);
 }
 
-BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triangle)
+Keeper keeperBehind(const WrapModel& model, const Blocks& blocks, Facet triangle)
 {
   const WrapComplex& kept = *model.current;
   const DelaunayComplex& complex = kept.flow().delaunay();
@@ -174,16 +174,23 @@ BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triang
     const BlockName block{ .isSheet = false, .name = model.scan->basins().ofTet[top.tet] };
     if (model.isSolid || isKept(kept, blocks, block))
     {
-      return block;
+      return { block, top.tet };
     }
   }
   for (Holder next = top; next.tet != kNone || next.sheet != kNone; next = holderOf(kept, top))
   {
     top = next;
   }
-  return top.tet == kNone
-    ? BlockName{ .isSheet = true, .name = top.sheet }
-    : BlockName{ .isSheet = false, .name = model.scan->basins().ofTet[top.tet] };
+  if (top.tet == kNone)
+  {
+    return { .block = { .isSheet = true, .name = top.sheet } };
+  }
+  return { { .isSheet = false, .name = model.scan->basins().ofTet[top.tet] }, top.tet };
+}
+
+BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triangle)
+{
+  return keeperBehind(model, blocks, triangle).block;
 }
 
 BlockName removedBlockBefore(const WrapModel& model, const Blocks& blocks, Facet triangle)

@@ -37,6 +37,15 @@ BlockName blockOfNumber(const Blocks& blocks, std::int64_t number);
 /// gone and the tetrahedron or triangle stayed, the kept block that it stayed for.
 BlockName blockBehind(const WrapModel& model, const Blocks& blocks, Facet triangle);
 
+/// The same, and the tetrahedron where the way to the block began or, where that block is gone,
+/// came to its end: what an edit left over and nothing holds. kNone for a sheet block.
+struct Keeper
+{
+  BlockName block;
+  Index tet = kNone;
+};
+Keeper keeperBehind(const WrapModel& model, const Blocks& blocks, Facet triangle);
+
 /// The removed block that a point means: the volume block around it, else the sheet block removed
 /// since the start that is nearest to it. Empty names (kNone) when there is none.
 BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& execution);

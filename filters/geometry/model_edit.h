@@ -34,14 +34,6 @@ public:
 
   const WrapComplex& kept() const { return *this->Next; }
 
-  /// The model in its unfinished state, which goes on changing.
-  WrapModel now() const
-  {
-    WrapModel model = this->Model;
-    model.current = this->Next;
-    return model;
-  }
-
   WrapEditor& editor() { return this->Editor; }
 
   /// Removes tetrahedra with their free facets; facets shared with a kept tetrahedron become

@@ -51,7 +51,6 @@ public:
     , Options(options)
     , Run(execution)
     , TheBlocks(model.scan->blocks(execution))
-    , Complex(model.scan->delaunay())
     , State(model)
     , Editor(State.editor())
   {
@@ -59,14 +58,18 @@ public:
 
   void push(std::span<const Facet> triangles, std::span<const BlockName> named)
   {
-    const WrapModel now = this->State.now();
+    std::vector<Keeper> marked; // what the marks mean, before anything is removed
     for (const Facet triangle : triangles)
     {
-      this->collapse();
       if (isOnSurface(this->State.kept(), triangle))
       {
-        this->removeBehind(triangle, blockBehind(now, this->TheBlocks, triangle));
+        marked.push_back(keeperBehind(this->Model, this->TheBlocks, triangle));
       }
+    }
+    for (const Keeper& keeper : marked)
+    {
+      this->collapse();
+      this->removeKeeper(keeper);
     }
     for (const BlockName& block : named)
     {
@@ -140,19 +143,19 @@ private:
     }
   }
 
-  void removeBehind(Facet triangle, const BlockName& block)
+  void removeKeeper(const Keeper& keeper)
   {
+    const BlockName& block = keeper.block;
     if (block.isSheet || this->Model.isSolid || isKept(this->State.kept(), this->TheBlocks, block))
     {
       this->removeBlock(block);
-      return;
     }
-    const Index behind = this->State.kept().keepsTet(triangle / 4)
-      ? triangle / 4
-      : this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
-    this->State.removeWhole(floodBasin(
-      *this->Model.scan, behind, [&](Index tet) { return this->State.kept().keepsTet(tet); }));
-    this->Report.blocks.push_back(block);
+    else if (this->State.kept().keepsTet(keeper.tet))
+    {
+      this->State.removeWhole(floodBasin(*this->Model.scan, keeper.tet,
+        [&](Index tet) { return this->State.kept().keepsTet(tet); }));
+      this->Report.blocks.push_back(block);
+    }
   }
 
   void removeBlock(const BlockName& block)
@@ -298,7 +301,6 @@ private:
   const PushOptions& Options;
   Execution& Run;
   const Blocks& TheBlocks;
-  const DelaunayComplex& Complex;
   ModelEdit State;
   WrapEditor& Editor;
   std::unordered_set<Index> Reached;

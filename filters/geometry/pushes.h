@@ -27,7 +27,7 @@ struct PushReport : EditReport
   Index doors = 0;               ///< walls removed between blocks that are both gone
 };
 
-/// Removes the blocks that the triangles of the surface belong to, and those given by name;
+/// Removes the blocks that the triangles of the surface belong to now, and those given by name;
 /// triangles that are not on the surface, blocks that are gone and sheets that a solid still needs
 /// are left out. Removing a block removes its critical simplex, and everything that then
 /// collapses. Afterwards doors are removed whose sides are both gone and one of which passes to the

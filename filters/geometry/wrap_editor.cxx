@@ -24,6 +24,12 @@ EdgeOfTriangle sharedEdge(const FlowComplex& flow, Index tet)
   return { 4 * tet + first, flow.delaunay().tetrahedra[tet][second] };
 }
 
+bool hasTwoAttached(const FlowComplex& flow, Index tet)
+{
+  const unsigned attached = flow.attachedFacets(tet);
+  return (attached & (attached - 1)) != 0;
+}
+
 /// Calls act(edge) for the three edges of a triangle.
 template <class Act>
 void forEachEdge(const DelaunayComplex& complex, Facet facet, Act&& act)
@@ -110,11 +116,12 @@ void WrapEditor::removeTet(Index tet)
     {
       this->Kept.keepSheet(facet);
       this->BaredSheets.push_back(facet);
-      this->Triangles.push_back(facet);
+      continue;
     }
-    else
+    const Facet mirror = this->Complex.mirror[tet][facet % 4];
+    if (this->Flow.isAttached(mirror) && !hasTwoAttached(this->Flow, mirror / 4))
     {
-      this->Tets.push_back(this->Complex.neighbour(tet, static_cast<int>(facet % 4)));
+      this->Tets.push_back(mirror / 4); // [facet, tetrahedron]
     }
   }
 }
@@ -126,8 +133,9 @@ void WrapEditor::removeSheet(Facet facet)
   forEachEdge(this->Complex, facet, [&](EdgeOfTriangle edge) { this->reviewEdge(edge); });
 }
 
-/// After the loss of a triangle at the edge: the edge goes when it was the last one; the one or two
-/// that are left may form an interval with it now.
+/// After the loss of a triangle at the edge: the edge goes when it was the last one; what is left
+/// may form an interval with it that collapses now. Nothing else may: a state that does not follow
+/// the flow has other intervals that could.
 void WrapEditor::reviewEdge(EdgeOfTriangle edge)
 {
   // usually another tetrahedron is kept next to the one that went with the triangle: without a
@@ -136,21 +144,18 @@ void WrapEditor::reviewEdge(EdgeOfTriangle edge)
   const Index next = this->Complex.neighbour(tet, this->Complex.localIndex(tet, edge.apex));
   if (next != kNone && this->Kept.keepsTet(next))
   {
-    if (std::popcount(this->Flow.attachedFacets(next)) == 2)
-    {
-      this->Tets.push_back(next);
-    }
+    this->reviewInterval(edge, next);
     return;
   }
   int count = 0;
-  Facet last = kNone;
+  EdgeOfTriangle last{ kNone, kNone };
   forEachTriangleAtEdge(this->Complex, edge,
-    [&](Facet at, Index)
+    [&](Facet at, Index apex)
     {
       if (this->Kept.keepsTriangle(at))
       {
         ++count;
-        last = at;
+        last = { at, apex };
       }
       return count < 3;
     });
@@ -158,14 +163,36 @@ void WrapEditor::reviewEdge(EdgeOfTriangle edge)
   {
     this->Change.edges -= this->isLine(edge) ? 0 : 1;
   }
-  else if (count == 1)
+  else if (count == 1 && this->Flow.isFree(last.triangle) &&
+    this->Flow.obtuseVertex(last.triangle) == last.apex)
   {
-    this->Triangles.push_back(last);
+    this->Triangles.push_back(last.triangle);
   }
   else if (count == 2)
   {
-    const Index beyond = this->Complex.neighbour(last / 4, static_cast<int>(last % 4));
-    this->Tets.push_back(this->Kept.keepsTet(last / 4) || beyond == kNone ? last / 4 : beyond);
+    const Index own = last.triangle / 4;
+    const Index beyond = this->Complex.neighbour(own, static_cast<int>(last.triangle % 4));
+    this->reviewInterval(edge, this->Kept.keepsTet(own) || beyond == kNone ? own : beyond);
+  }
+}
+
+/// Looks at the tetrahedron when [edge, tetrahedron] is an interval.
+void WrapEditor::reviewInterval(EdgeOfTriangle edge, Index tet)
+{
+  if (!hasTwoAttached(this->Flow, tet))
+  {
+    return;
+  }
+  unsigned beside = 0; // corners that are not on the edge: the facets opposite to them meet there
+  const Segment ends = this->verticesOf(edge);
+  for (unsigned k = 0; k < 4; ++k)
+  {
+    const Index corner = this->Complex.tetrahedra[tet][k];
+    beside |= static_cast<unsigned>(corner != ends[0] && corner != ends[1]) << k;
+  }
+  if (beside == this->Flow.attachedFacets(tet))
+  {
+    this->Tets.push_back(tet);
   }
 }
 
@@ -295,7 +322,7 @@ void WrapEditor::collapseTet(Index tet)
       return;
     }
   }
-  if (std::popcount(attached) == 2 &&
+  if (hasTwoAttached(this->Flow, tet) &&
     keptTrianglesAtEdge(this->Kept, sharedEdge(this->Flow, tet), 3) > 2)
   {
     return;

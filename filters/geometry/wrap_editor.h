@@ -115,6 +115,7 @@ private:
   void collapseTet(Index tet);
   void collapseTriangle(Facet facet);
   void reviewEdge(EdgeOfTriangle edge);
+  void reviewInterval(EdgeOfTriangle edge, Index tet);
   void meetEdge(EdgeOfTriangle edge);
   void addLowerSets(std::vector<Index> tets, std::vector<Facet> triangles,
     const WrapComplex* within, Execution& execution);
