@@ -42,41 +42,6 @@ void forEachEdge(const DelaunayComplex& complex, Facet facet, Act&& act)
 
 } // namespace
 
-EdgeInterval intervalOfEdge(const FlowComplex& flow, EdgeOfTriangle edge)
-{
-  EdgeInterval interval;
-  forEachTriangleAtEdge(flow.delaunay(), edge,
-    [&](Facet at, Index apex)
-    {
-      if (flow.isFree(at) && flow.obtuseVertex(at) == apex)
-      {
-        interval.triangle = flow.delaunay().canonical(at);
-      }
-      return interval.triangle == kNone;
-    });
-  if (interval.triangle == kNone)
-  {
-    flow.delaunay().walkWholeEdge(edge.triangle, edge.apex,
-      [&](Facet entering, Facet leaving, Facet)
-      {
-        if (flow.isAttached(entering) && flow.isAttached(leaving))
-        {
-          interval.tet = entering / 4;
-        }
-        return interval.tet == kNone;
-      });
-  }
-  return interval;
-}
-
-int keptTrianglesAtEdge(const WrapComplex& complex, EdgeOfTriangle edge, int most)
-{
-  int count = 0;
-  forEachTriangleAtEdge(complex.flow().delaunay(), edge,
-    [&](Facet at, Index) { return (count += complex.keepsTriangle(at) ? 1 : 0) < most; });
-  return count;
-}
-
 WrapEditor::WrapEditor(WrapComplex& complex, std::span<const CriticalEdge> lines)
   : Kept(complex)
   , Flow(complex.flow())
@@ -398,26 +363,32 @@ void WrapEditor::addLowerSetOfTriangle(Facet facet, const WrapComplex* within, E
 void WrapEditor::addLowerSets(std::vector<Index> tets, std::vector<Facet> triangles,
   const WrapComplex* within, Execution& execution)
 {
-  const auto listFaces = [&](Facet facet)
+  const auto listOwner = [&](EdgeOfTriangle edge)
   {
-    const Facet mirror = this->Complex.mirror[facet / 4][facet % 4];
-    if (mirror != kNone && this->Flow.isAttached(mirror))
+    const EdgeInterval owner = intervalOfEdge(this->Flow, edge);
+    if (owner.tet != kNone)
     {
-      tets.push_back(mirror / 4);
+      tets.push_back(owner.tet);
     }
-    forEachEdge(this->Complex, facet,
-      [&](EdgeOfTriangle edge)
+    if (owner.triangle != kNone)
+    {
+      triangles.push_back(owner.triangle);
+    }
+  };
+  const auto listFacesOf = [&](Index tet)
+  {
+    for (Facet k = 0; k < 4; ++k)
+    {
+      const Facet mirror = this->Complex.mirror[tet][k];
+      if (mirror != kNone && this->Flow.isAttached(mirror))
       {
-        const EdgeInterval owner = intervalOfEdge(this->Flow, edge);
-        if (owner.tet != kNone)
-        {
-          tets.push_back(owner.tet);
-        }
-        if (owner.triangle != kNone)
-        {
-          triangles.push_back(owner.triangle);
-        }
-      });
+        tets.push_back(mirror / 4);
+      }
+      for (Facet other = 0; other < k; ++other) // the edge that the two facets share
+      {
+        listOwner({ 4 * tet + k, this->Complex.tetrahedra[tet][other] });
+      }
+    }
   };
   std::size_t steps = 0;
   while (!tets.empty() || !triangles.empty())
@@ -433,10 +404,7 @@ void WrapEditor::addLowerSets(std::vector<Index> tets, std::vector<Facet> triang
       if (!this->Kept.keepsTet(tet) && (within == nullptr || within->keepsTet(tet)))
       {
         this->addTet(tet);
-        for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
-        {
-          listFaces(facet);
-        }
+        listFacesOf(tet);
       }
     }
     else
@@ -446,7 +414,7 @@ void WrapEditor::addLowerSets(std::vector<Index> tets, std::vector<Facet> triang
       if (!this->Kept.keepsTriangle(facet) && (within == nullptr || within->keepsTriangle(facet)))
       {
         this->addSheet(facet);
-        listFaces(facet);
+        forEachEdge(this->Complex, facet, listOwner);
       }
     }
   }

@@ -4,6 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/blocks.h"
+#include "filters/geometry/edge_intervals.h"
 #include "filters/geometry/wrap_complex.h"
 
 #include <cstdint>
@@ -13,43 +14,6 @@
 
 namespace scan
 {
-
-/// An edge as that of a triangle, opposite to its vertex `apex`.
-struct EdgeOfTriangle
-{
-  Facet triangle;
-  Index apex;
-};
-
-/// The interval that an edge is the lower face of; both kNone when the edge is critical or the face
-/// of an interval with a lower face of its own.
-struct EdgeInterval
-{
-  Index tet = kNone;      ///< [edge, tetrahedron]
-  Facet triangle = kNone; ///< [edge, triangle], its canonical name
-};
-EdgeInterval intervalOfEdge(const FlowComplex& flow, EdgeOfTriangle edge);
-
-/// Calls visit(triangle, apex) for all triangles around an edge, each once, until it returns false.
-template <class Visit>
-void forEachTriangleAtEdge(const DelaunayComplex& complex, EdgeOfTriangle edge, Visit&& visit)
-{
-  const Facet start = edge.triangle;
-  if (!visit(start, edge.apex))
-  {
-    return;
-  }
-  const Facet startMirror = complex.mirror[start / 4][start % 4];
-  complex.walkWholeEdge(start, edge.apex,
-    [&](Facet entering, Facet leaving, Facet)
-    {
-      return leaving == start || leaving == startMirror ||
-        visit(leaving, complex.tetrahedra[entering / 4][entering % 4]);
-    });
-}
-
-/// Number of kept triangles at an edge, counted up to `most`.
-int keptTrianglesAtEdge(const WrapComplex& complex, EdgeOfTriangle edge, int most);
 
 /// By how much the numbers of kept simplices changed.
 struct WrapChange
