@@ -77,7 +77,7 @@ std::vector<Phase> wrapPhases(const WrapOptions& options);
 /// number of threads.
 /// @param points finite coordinates with absolute values up to 1e50, in model units
 /// @throws Error badInput when fewer than four points, or all of them in one plane; Cancelled
-/// Time and memory: nearly linear for points on surfaces, about 0.8 kB a point.
+/// Time and memory: nearly linear for points on surfaces, about 0.6 kB a point.
 /// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003).
 WrapResult wrap(std::span<const Vec3> points, const WrapOptions& options, Execution& execution);
 
