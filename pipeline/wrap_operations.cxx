@@ -168,8 +168,7 @@ void setMarks(vtkScanWrapEditFilter& filter, const ParameterValues& values)
   filter.SetWithin(valueOf<Length>(values, "within"));
 }
 
-template <class Filter>
-void setBlocks(Filter& filter, const ParameterValues& values)
+void setBlocks(vtkScanBlockEditFilter& filter, const ParameterValues& values)
 {
   filter.SetDeep(valueOf<bool>(values, "deep"));
   filter.SetReach(valueOf<double>(values, "reach"));
@@ -252,27 +251,30 @@ Operation editOperation(std::string verb, std::string help, std::string example,
 
 Operation pushOperation()
 {
-  return editOperation<vtkScanPushFilter>("push",
-    "Push the surface in: remove the blocks behind the marks",
+  return editOperation<vtkScanPushFilter>(
+    "push", "Push the surface in: remove the blocks behind the marks",
     "scanwrap plate.xyz wrap --mode=classic push --at=0,0,0 --deep -o plate.stl", kBlockParameters,
-    setBlocks<vtkScanPushFilter>,
+    [](vtkScanPushFilter& filter, const ParameterValues& values) { setBlocks(filter, values); },
     [](const vtkScanPushFilter& filter) -> Results
     {
-      return { { "blocks-removed", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
-        { "doors-removed", count(filter.GetDoors()) },
-        { "blocks", numbersOf(filter.GetBlocks()) } };
+      const PushReport& pushed = filter.GetPushReport();
+      return { { "blocks-removed", count(static_cast<std::int64_t>(pushed.blocks.size())) },
+        { "doors-removed", count(pushed.doors) }, { "blocks", numbersOf(pushed.blocks) } };
     });
 }
 
 Operation pullOperation()
 {
-  return editOperation<vtkScanPullFilter>("pull", "Pull the surface out again: fill removed blocks",
+  return editOperation<vtkScanPullFilter>(
+    "pull", "Pull the surface out again: fill removed blocks",
     "scanwrap plate.xyz wrap --mode=classic push --at=0,0,0 pull --at=0,0,0 -o plate.stl",
-    kBlockParameters, setBlocks<vtkScanPullFilter>,
+    kBlockParameters,
+    [](vtkScanPullFilter& filter, const ParameterValues& values) { setBlocks(filter, values); },
     [](const vtkScanPullFilter& filter) -> Results
     {
-      return { { "blocks-added", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
-        { "blocks", numbersOf(filter.GetBlocks()) } };
+      const PushReport& pulled = filter.GetPushReport();
+      return { { "blocks-added", count(static_cast<std::int64_t>(pulled.blocks.size())) },
+        { "blocks", numbersOf(pulled.blocks) } };
     });
 }
 

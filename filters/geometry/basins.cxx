@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/basins.h"
 
+#include "filters/geometry/bounding_box.h"
 #include "filters/geometry/collect.h"
 
 #include <algorithm>
@@ -9,23 +10,6 @@
 
 namespace scan
 {
-namespace
-{
-
-double halfDiagonal(const std::vector<Vec3>& points)
-{
-  Vec3 low = points.front();
-  Vec3 high = low;
-  for (const Vec3& p : points)
-  {
-    low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-    high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-  }
-  return 0.5 * std::sqrt(dot(high - low, high - low));
-}
-
-} // namespace
-
 Basins findBasins(const FlowComplex& flow, Execution& execution)
 {
   const DelaunayComplex& complex = flow.delaunay();
@@ -42,7 +26,7 @@ Basins findBasins(const FlowComplex& flow, Execution& execution)
   execution.step("basins", 1, 2);
   Basins basins;
   basins.ofTet.assign(complex.tetCount(), kNone);
-  const double cap = halfDiagonal(complex.points);
+  const double cap = 0.5 * BoundingBox(complex.points).diagonal();
   std::vector<Index> path;
   for (Index tet = 0; tet < complex.tetCount(); ++tet)
   {

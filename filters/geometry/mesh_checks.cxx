@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/mesh_checks.h"
 
+#include "filters/geometry/bounding_box.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/union_find.h"
 
@@ -69,21 +70,10 @@ private:
 
 void Survey::measureBox()
 {
-  const std::vector<Vec3>& points = this->Mesh.points;
-  if (points.empty())
-  {
-    return;
-  }
-  Vec3 low = points.front();
-  Vec3 high = low;
-  for (const Vec3& p : points)
-  {
-    low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-    high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-  }
-  this->Report.boxMin = low;
-  this->Report.boxMax = high;
-  this->Report.boxDiagonal = std::sqrt(dot(high - low, high - low));
+  const BoundingBox box(this->Mesh.points);
+  this->Report.boxMin = box.low;
+  this->Report.boxMax = box.high;
+  this->Report.boxDiagonal = box.diagonal();
 }
 
 void Survey::measureTriangles()
