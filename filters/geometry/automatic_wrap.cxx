@@ -66,9 +66,14 @@ AutomaticWrap refined(const Scan& scan, const std::vector<Wall>& walls, OutsideR
   }
   if (scan.fineTune)
   {
-    wrap.inside = fineTune(scan.flow, scan.spacing, outside, std::move(wrap.inside), execution);
+    FineTuned tuned = fineTune(scan.flow, scan.spacing, outside, std::move(wrap.inside), execution);
+    wrap.inside = std::move(tuned.inside);
+    wrap.surface = std::move(tuned.cut);
   }
-  wrap.surface = cutTriangles(scan.complex(), outside, wrap.inside, execution);
+  else
+  {
+    wrap.surface = cutTriangles(scan.complex(), outside, wrap.inside, execution);
+  }
   return wrap;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -24,6 +25,13 @@ constexpr double kRimWeight = 1.0; // an edge where the cut ends at the hull
 constexpr double kLeastGain = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Number of facets in a set of up to four: less than a call where the machine may not count bits.
+int countOf(unsigned facets)
+{
+  constexpr std::array<std::int8_t, 16> kBits{ 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
+  return kBits[facets];
+}
+
 class FineTuning
 {
 public:
@@ -35,24 +43,33 @@ public:
     , Inside(std::move(inside))
     , Cover(Complex.points.size())
     , Queued(Complex.tetCount(), 0)
+    , Cut(cutTriangles(Complex, Outside, Inside, execution))
   {
-    for (const Facet facet : this->cutTriangles(execution))
+    for (const Facet facet : this->Cut)
     {
       this->Cover.count(this->Complex.facetVertices(facet), +1);
     }
   }
 
   /// The tetrahedra whose flip would pay now.
-  std::vector<Index> findCandidates(Execution& execution) const
+  std::vector<Index> findCandidates(Execution& execution)
   {
+    for (const Facet facet : this->Cut)
+    {
+      this->Queued[facet / 4] = kQueued;
+      if (const Facet other = this->Complex.mirror[facet / 4][facet % 4]; other != kNone)
+      {
+        this->Queued[other / 4] = kQueued;
+      }
+    }
     return collect<Index>(this->Complex.tetCount(), execution,
       [this](Index tet, std::vector<Index>& found)
       {
-        const unsigned cut = this->cutFacets(tet);
-        if (cut != 0 && this->gain(tet, cut, kLeastGain) > kLeastGain)
+        if (this->Queued[tet] && this->gain(tet, this->cutFacets(tet), kLeastGain) > kLeastGain)
         {
           found.push_back(tet);
         }
+        this->Queued[tet] = 0;
       });
   }
 
@@ -89,18 +106,14 @@ public:
 
   /// The tetrahedra around edges with more than two cut triangles. Seen from inside the directed
   /// edges of a manifold are all different.
-  std::vector<Index> findCrowded(Execution& execution) const
+  std::vector<Index> findCrowded(Execution& execution)
   {
-    const std::vector<Facet> cut = this->cutTriangles(execution);
-    const auto outward = [&](Facet facet)
-    {
-      const Triangle v = this->Complex.facetVertices(facet);
-      return this->Inside[facet / 4] ? v : Triangle{ v[0], v[2], v[1] };
-    };
-    const Incidence edgesFrom(this->Complex.points.size(), cut.size(),
+    this->updateCut(execution);
+    const std::vector<Triangle> outward = this->outwardTriangles(execution);
+    const Incidence edgesFrom(this->Complex.points.size(), outward.size(),
       [&](std::size_t i, auto&& visit)
       {
-        const Triangle v = outward(cut[i]);
+        const Triangle& v = outward[i];
         for (int k = 0; k < 3; ++k)
         {
           if (v[k] < v[(k + 1) % 3])
@@ -109,24 +122,26 @@ public:
           }
         }
       });
-    std::vector<Index> found;
-    std::vector<Index> ends;
-    for (Index from = 0; from < edgesFrom.owners(); ++from)
+    const auto after = [&](Index i, Index from, int steps)
     {
-      ends.clear();
-      for (const Index i : edgesFrom.of(from))
+      const Triangle& v = outward[i];
+      const int k = v[0] == from ? 0 : v[1] == from ? 1 : 2;
+      return v[(k + steps) % 3];
+    };
+    return collect<Index>(static_cast<Index>(edgesFrom.owners()), execution,
+      [&](Index from, std::vector<Index>& found)
       {
-        const Triangle v = outward(cut[i]);
-        const int k = v[0] == from ? 0 : v[1] == from ? 1 : 2;
-        const Index to = v[(k + 1) % 3];
-        if (std::find(ends.begin(), ends.end(), to) != ends.end())
+        const std::span<const Index> triangles = edgesFrom.of(from);
+        for (auto i = triangles.begin(); i != triangles.end(); ++i)
         {
-          this->appendAround(cut[i], v[(k + 2) % 3], found);
+          const Index to = after(*i, from, 1);
+          if (std::any_of(
+                triangles.begin(), i, [&](Index other) { return after(other, from, 1) == to; }))
+          {
+            this->appendAround(this->Cut[*i], after(*i, from, 2), found);
+          }
         }
-        ends.push_back(to);
-      }
-    }
-    return found;
+      });
   }
 
   /// Flips pairs of neighbours with one label where that pays, as long as `isWanted` by the first;
@@ -158,12 +173,70 @@ public:
       v.begin(), v.end(), [this](Index point) { return this->Cover.cutTriangles(point) == 0; });
   }
 
-  std::vector<std::uint8_t> takeLabels() { return std::move(this->Inside); }
+  FineTuned takeResult(Execution& execution)
+  {
+    this->updateCut(execution);
+    return { std::move(this->Inside), std::move(this->Cut) };
+  }
 
 private:
-  std::vector<Facet> cutTriangles(Execution& execution) const
+  /// Brings the list of cut triangles up to date after flips.
+  void updateCut(Execution& execution)
   {
-    return scan::cutTriangles(this->Complex, this->Outside, this->Inside, execution);
+    std::vector<Facet> entered;
+    for (const Index tet : this->Flipped)
+    {
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      {
+        if (this->isCut(facet))
+        {
+          entered.push_back(this->nameInside(facet));
+        }
+      }
+    }
+    if (this->Flipped.empty())
+    {
+      return;
+    }
+    this->Flipped.clear();
+    std::sort(entered.begin(), entered.end());
+    entered.erase(std::unique(entered.begin(), entered.end()), entered.end());
+    const std::vector<Facet> stayed =
+      collect<Facet>(static_cast<Index>(this->Cut.size()), execution,
+        [&](Index i, std::vector<Facet>& found)
+        {
+          if (const Facet facet = this->Cut[i];
+              this->isCut(facet) && this->nameInside(facet) == facet)
+          {
+            found.push_back(facet);
+          }
+        });
+    this->Cut.clear();
+    std::set_union(
+      stayed.begin(), stayed.end(), entered.begin(), entered.end(), std::back_inserter(this->Cut));
+  }
+
+  /// The name of a cut triangle in the list.
+  Facet nameInside(Facet facet) const
+  {
+    const Facet other = this->Complex.mirror[facet / 4][facet % 4];
+    return this->Inside[facet / 4] || other == kNone ? facet : other;
+  }
+
+  /// The cut triangles seen from inside.
+  std::vector<Triangle> outwardTriangles(Execution& execution) const
+  {
+    std::vector<Triangle> triangles(this->Cut.size());
+    execution.parallelFor(triangles.size(), 1 << 14,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const Triangle v = this->Complex.facetVertices(this->Cut[i]);
+          triangles[i] = this->Inside[this->Cut[i] / 4] ? v : Triangle{ v[0], v[2], v[1] };
+        }
+      });
+    return triangles;
   }
 
   bool touchesCut(Index tet) const { return this->cutFacets(tet) != 0; }
@@ -234,18 +307,18 @@ private:
   double gain(Index tet, unsigned cut, double least) const
   {
     const unsigned entering = this->cuttableFacets(tet) & ~cut;
-    const int leave = std::popcount(cut);
+    const int leave = countOf(cut);
     int points = 0;
     for (unsigned k = 0; k < 4; ++k)
     {
       const int before = this->Cover.cutTriangles(this->Complex.tetrahedra[tet][k]);
       points += (before + changeAt(k, cut, entering) > 0) - (before > 0);
     }
-    double gain = 2.0 * points - 0.5 * (std::popcount(entering) - leave);
+    double gain = 2.0 * points - 0.5 * (countOf(entering) - leave);
     // only edges between two facets that do not enter can stop being non-manifold
     constexpr std::array kEdgesBetween{ 0, 0, 1, 3, 6 };
-    const int stay = 4 - std::popcount(entering) - leave; // free facets of the hull
-    const double most = gain + kNonManifoldWeight * kEdgesBetween[4 - std::popcount(entering)] +
+    const int stay = 4 - countOf(entering) - leave; // free facets of the hull
+    const double most = gain + kNonManifoldWeight * kEdgesBetween[4 - countOf(entering)] +
       kRimWeight * stay * (4 - stay);
     const double excessLost = this->excess(tet, cut);
     if (most + kExcessWeight * excessLost <= least)
@@ -263,7 +336,7 @@ private:
   /// Change in the number of cut triangles at vertex k, whose facets are the other three.
   static int changeAt(unsigned k, unsigned leaving, unsigned entering)
   {
-    return std::popcount(entering & ~(1U << k)) - std::popcount(leaving & ~(1U << k));
+    return countOf(entering & ~(1U << k)) - countOf(leaving & ~(1U << k));
   }
 
   /// Excess size of some of a tetrahedron's facets.
@@ -328,6 +401,7 @@ private:
       this->Cover.count(this->Complex.tetrahedra[tet][k], changeAt(k, cut, entering));
     }
     this->Inside[tet] ^= 1U;
+    this->Flipped.push_back(tet);
   }
 
   /// Appends the tetrahedra at the vertices of a tetrahedron that are not queued yet.
@@ -378,12 +452,14 @@ private:
   std::vector<std::uint8_t> Inside;
   CutCover Cover;
   std::vector<std::uint8_t> Queued;
+  std::vector<Facet> Cut;     // as of the last update, in increasing order
+  std::vector<Index> Flipped; // since then
   std::vector<Index> Star;
 };
 
 } // namespace
 
-std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<float>& spacing,
+FineTuned fineTune(const FlowComplex& flow, const std::vector<float>& spacing,
   const OutsideRooms& outside, std::vector<std::uint8_t> inside, Execution& execution)
 {
   execution.step("fine-tune", 0, 3);
@@ -402,7 +478,7 @@ std::vector<std::uint8_t> fineTune(const FlowComplex& flow, const std::vector<fl
     tuning.findMissing(execution), [&](Index tet) { return tuning.missesPoint(tet); }));
   flipAll(tuning.flipPairs(tuning.findCrowded(execution), [](Index) { return true; }));
   execution.step("fine-tune", 3, 3);
-  return tuning.takeLabels();
+  return tuning.takeResult(execution);
 }
 
 } // namespace scan

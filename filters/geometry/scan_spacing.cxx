@@ -68,21 +68,4 @@ std::vector<float> localSpacing(const FlowComplex& flow, Execution& execution)
   return spacing;
 }
 
-float excessSize(
-  const DelaunayComplex& complex, const std::vector<float>& spacing, const Triangle& triangle)
-{
-  const Vec3& a = complex.points[triangle[0]];
-  const Vec3 ab = complex.points[triangle[1]] - a;
-  const Vec3 ac = complex.points[triangle[2]] - a;
-  const Vec3 bc = ac - ab;
-  const Vec3 normal = cross(ab, ac);
-  const double h = std::max({ spacing[triangle[0]], spacing[triangle[1]], spacing[triangle[2]] });
-  constexpr double kAllowedArea = 2.0;
-  constexpr double kAllowedLength = 20.0; // needles to stray points are longer
-  const double area = 0.5 * std::sqrt(dot(normal, normal)) / (h * h);
-  const double length = std::sqrt(std::max({ dot(ab, ab), dot(ac, ac), dot(bc, bc) })) / h;
-  return static_cast<float>(
-    std::max(0.0, area - kAllowedArea) + std::max(0.0, length - kAllowedLength));
-}
-
 } // namespace scan

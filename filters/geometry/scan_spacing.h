@@ -15,10 +15,4 @@ namespace scan
 /// sparse scan). Positive; needs no density, no neighbourhood size. Reports phase "edges".
 std::vector<float> localSpacing(const FlowComplex& flow, Execution& execution);
 
-/// By how much a triangle is larger than the local spacing h of its vertices allows:
-/// max(0, area / h^2 - 2) + max(0, longest edge / h - 20), with the largest h of the three. Zero
-/// for surfaces of a scan; webs have area, spikes to stray points have length.
-float excessSize(
-  const DelaunayComplex& complex, const std::vector<float>& spacing, const Triangle& triangle);
-
 } // namespace scan
