@@ -345,7 +345,7 @@ AngleRepairReport repairAngles(WrapModel& model, std::span<const Facet> triangle
     }
   }
   edit.removeWhole(gone);
-  static_cast<EditReport&>(report) = edit.finish();
+  static_cast<EditReport&>(report) = edit.finish(execution);
   execution.step("repair angles", 1, 1);
   return report;
 }

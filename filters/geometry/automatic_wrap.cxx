@@ -114,7 +114,7 @@ TriMesh meshOf(const DelaunayComplex& complex, const AutomaticWrap& wrap)
   mesh.triangles.reserve(wrap.surface.size());
   for (const Facet facet : wrap.surface)
   {
-    mesh.triangles.push_back(outwardVertices(complex, wrap, facet));
+    mesh.triangles.push_back(outwardVertices(complex, wrap.inside, facet));
   }
   return mesh;
 }

@@ -35,15 +35,6 @@ struct AutomaticWrap
   Index openingTriangles = 0;       ///< cut triangles that span openings and are not shown
 };
 
-/// A triangle of the surface, counter-clockwise seen from outside. One on the convex hull may have
-/// its inside beyond the hull: it faces into its tetrahedron.
-inline Triangle outwardVertices(
-  const DelaunayComplex& complex, const AutomaticWrap& wrap, Facet facet)
-{
-  const Triangle v = complex.facetVertices(facet);
-  return wrap.inside[facet / 4] ? v : Triangle{ v[0], v[2], v[1] };
-}
-
 /// The phases that wrapAutomatically() reports, for Execution::plan.
 std::vector<Phase> automaticWrapPhases(const AutomaticWrapOptions& options);
 

@@ -168,9 +168,7 @@ Keeper keeperBehind(const WrapModel& model, const Blocks& blocks, Facet triangle
   }
   else
   {
-    top.tet = kept.keepsTet(triangle / 4)
-      ? triangle / 4
-      : complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
+    top.tet = kept.keptTetAt(triangle);
     const BlockName block{ .isSheet = false, .name = model.scan->basins().ofTet[top.tet] };
     if (model.isSolid || isKept(kept, blocks, block))
     {

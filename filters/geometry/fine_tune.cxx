@@ -232,8 +232,7 @@ private:
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          const Triangle v = this->Complex.facetVertices(this->Cut[i]);
-          triangles[i] = this->Inside[this->Cut[i] / 4] ? v : Triangle{ v[0], v[2], v[1] };
+          triangles[i] = outwardVertices(this->Complex, this->Inside, this->Cut[i]);
         }
       });
     return triangles;

@@ -215,7 +215,7 @@ FlattenReport flatten(WrapModel& model, std::span<const Facet> triangles, Execut
     }
   }
   execution.step("flatten", 1, 1);
-  static_cast<EditReport&>(report) = edit.finish();
+  static_cast<EditReport&>(report) = edit.finish(execution);
   model.isSolid = model.isSolid && report.parts == 0;
   return report;
 }

@@ -24,10 +24,9 @@ void ModelEdit::removeWhole(std::span<const Index> tets)
   }
 }
 
-EditReport ModelEdit::finish()
+EditReport ModelEdit::finish(Execution& execution)
 {
   this->Next->setFollowsFlow(false);
-  Execution execution(1);
   EditReport report{ .change = this->Editor.change(),
     .surface = compareSurfaces(*this->Model.current, *this->Next, execution) };
   this->makeCurrent();

@@ -42,7 +42,7 @@ public:
 
   /// Makes the new state the current one, and tells what changed. The edit may have been anything:
   /// the new state is not taken to follow the flow.
-  EditReport finish();
+  EditReport finish(Execution& execution);
 
   /// Makes the new state the current one. It follows the flow if the earlier one did: for edits
   /// that collapse all they can.

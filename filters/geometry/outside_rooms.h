@@ -48,4 +48,13 @@ OutsideRooms denseOutside(
 std::vector<Facet> cutTriangles(const DelaunayComplex& complex, const OutsideRooms& outside,
   const std::vector<std::uint8_t>& inside, Execution& execution);
 
+/// A cut triangle, counter-clockwise seen from outside. One on the convex hull may have its inside
+/// beyond the hull: it faces into its tetrahedron.
+inline Triangle outwardVertices(
+  const DelaunayComplex& complex, const std::vector<std::uint8_t>& inside, Facet facet)
+{
+  const Triangle v = complex.facetVertices(facet);
+  return inside[facet / 4] ? v : Triangle{ v[0], v[2], v[1] };
+}
+
 } // namespace scan

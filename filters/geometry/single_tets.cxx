@@ -31,9 +31,7 @@ EditReport pushTets(WrapModel& model, std::span<const Facet> triangles, Executio
     }
     else if (isOnSurface(*model.current, triangle))
     {
-      tets.push_back(model.current->keepsTet(triangle / 4)
-          ? triangle / 4
-          : complex.neighbour(triangle / 4, static_cast<int>(triangle % 4)));
+      tets.push_back(model.current->keptTetAt(triangle));
     }
   }
   sortOnce(tets);
@@ -45,7 +43,7 @@ EditReport pushTets(WrapModel& model, std::span<const Facet> triangles, Executio
     edit.editor().removeSheet(sheet);
   }
   execution.step("push", 1, 1);
-  return edit.finish();
+  return edit.finish(execution);
 }
 
 EditReport fillTets(WrapModel& model, std::span<const Facet> triangles, Execution& execution)
@@ -64,7 +62,7 @@ EditReport fillTets(WrapModel& model, std::span<const Facet> triangles, Executio
     }
   }
   execution.step("fill", 1, 1);
-  return edit.finish();
+  return edit.finish(execution);
 }
 
 } // namespace scan

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/webs.h"
 
-#include "filters/geometry/collect.h"
 #include "filters/geometry/scan_spacing.h"
 
 #include <algorithm>
-#include <bit>
 #include <queue>
 
 namespace scan
@@ -16,18 +14,9 @@ namespace
 
 std::vector<Facet> sheetsIn(const WrapComplex& kept, const Region& region, Execution& execution)
 {
-  return collect<Facet>(kept.flow().delaunay().tetCount(), execution,
-    [&](Index tet, auto& found)
-    {
-      for (unsigned named = kept.sheetsNamedAfter(tet); named != 0; named &= named - 1)
-      {
-        const Facet facet = 4 * tet + static_cast<Facet>(std::countr_zero(named));
-        if (region.contains(facet))
-        {
-          found.push_back(facet);
-        }
-      }
-    });
+  std::vector<Facet> sheets = sheetsOf(kept, execution);
+  std::erase_if(sheets, [&](Facet facet) { return !region.contains(facet); });
+  return sheets;
 }
 
 double radiusSquared(const DelaunayComplex& complex, Facet facet)
@@ -126,7 +115,7 @@ WebReport removeWebs(WrapModel& model, std::span<const Facet> triangles, const W
   }
   report.hanging = removeHanging(edit, sheets, region, execution);
   execution.step("webs", 1, 1);
-  static_cast<EditReport&>(report) = edit.finish();
+  static_cast<EditReport&>(report) = edit.finish(execution);
   return report;
 }
 

@@ -6,11 +6,11 @@
 #include "filters/geometry/front_wrap.h"
 #include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
+#include "filters/geometry/outside_rooms.h"
 #include "filters/geometry/size_scale.h"
 #include "filters/geometry/wrap_editor.h"
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 
 namespace scan
@@ -124,19 +124,6 @@ std::vector<Facet> boundaryFacets(const WrapComplex& kept, Execution& execution)
     });
 }
 
-std::vector<Facet> sheetFacets(const WrapModel& model, Execution& execution)
-{
-  return collect<Facet>(model.scan->delaunay().tetCount(), execution,
-    [&](Index tet, auto& found)
-    {
-      for (unsigned sheets = model.current->sheetsNamedAfter(tet); sheets != 0;
-           sheets &= sheets - 1)
-      {
-        found.push_back(4 * tet + static_cast<Facet>(std::countr_zero(sheets)));
-      }
-    });
-}
-
 /// Moves a surface on all vertices of the complex to the vertices it uses, in the same order.
 void compact(const DelaunayComplex& complex, WrapResult& result)
 {
@@ -203,7 +190,7 @@ WrapResult surfaceFrom(
   WrapResult result;
   result.model = model;
   result.facets = std::move(boundary);
-  const std::vector<Facet> sheets = sheetFacets(model, execution);
+  const std::vector<Facet> sheets = sheetsOf(*model.current, execution);
   result.report.boundaryTriangles = static_cast<Index>(result.facets.size());
   result.report.sheetTriangles = static_cast<Index>(sheets.size());
   result.report.tetrahedraKept = model.current->keptTetCount();
@@ -226,10 +213,7 @@ WrapResult surfaceFrom(
     std::vector<Triangle> oriented = trianglesOf(sheets);
     for (std::size_t t = 0; model.inside && t < sheets.size(); ++t)
     {
-      if (!(*model.inside)[sheets[t] / 4]) // sheets face away from what is inside
-      {
-        std::swap(oriented[t][1], oriented[t][2]);
-      }
+      oriented[t] = outwardVertices(complex, *model.inside, sheets[t]);
     }
     orientConsistently(oriented, complex.points.size());
     result.facets.insert(result.facets.end(), sheets.begin(), sheets.end());

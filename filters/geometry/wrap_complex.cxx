@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap_complex.h"
 
+#include "filters/geometry/collect.h"
 #include "filters/geometry/interval_fates.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace scan
 {
@@ -39,6 +41,18 @@ WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution)
     });
   wrap.setFollowsFlow(true);
   return wrap;
+}
+
+std::vector<Facet> sheetsOf(const WrapComplex& wrap, Execution& execution)
+{
+  return collect<Facet>(wrap.flow().delaunay().tetCount(), execution,
+    [&](Index tet, auto& found)
+    {
+      for (unsigned named = wrap.sheetsNamedAfter(tet); named != 0; named &= named - 1)
+      {
+        found.push_back(4 * tet + static_cast<Facet>(std::countr_zero(named)));
+      }
+    });
 }
 
 std::vector<CriticalEdge> bareEdges(const WrapComplex& wrap, Execution& execution)

@@ -49,6 +49,14 @@ public:
     return this->State[name / 4] >> (name % 4) & 1U;
   }
 
+  /// The kept tetrahedron beside a boundary triangle.
+  Index keptTetAt(Facet boundary) const
+  {
+    return this->keepsTet(boundary / 4)
+      ? boundary / 4
+      : this->Flow->delaunay().neighbour(boundary / 4, static_cast<int>(boundary % 4));
+  }
+
   /// Bit k: facet k of the tetrahedron is a sheet, and its canonical name is this one.
   unsigned sheetsNamedAfter(Index tet) const { return this->State[tet] & (kTet - 1U); }
 
@@ -107,6 +115,9 @@ private:
 /// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003);
 /// Bauer, Edelsbrunner (2017), section 6.
 WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution);
+
+/// All sheets by their canonical names, in increasing order.
+std::vector<Facet> sheetsOf(const WrapComplex& wrap, Execution& execution);
 
 /// The critical edges without a kept triangle. In the Wrap complex they are kept, as lines.
 /// Smaller vertex first, sorted by vertices. Reports phase "edges".

@@ -44,22 +44,9 @@ protected:
   scan::PushOptions GetOptions() const { return { .deep = this->Deep, .reach = this->Reach }; }
 
   /// @throws scan::Error for a number that no block has
-  std::vector<scan::BlockName> FindBlocks(const scan::Blocks& blocks) const
-  {
-    std::vector<scan::BlockName> found;
-    for (const std::int64_t number : this->Numbers)
-    {
-      found.push_back(blockOfNumber(blocks, number));
-    }
-    return found;
-  }
+  std::vector<scan::BlockName> FindBlocks(const scan::Blocks& blocks) const;
 
-  void SetPushReport(std::size_t marks, scan::PushReport pushed, vtkScanWrapEditReport& report)
-  {
-    report.Marks = static_cast<scan::Index>(marks);
-    report.Edit = pushed;
-    this->Pushed = std::move(pushed);
-  }
+  void SetPushReport(std::size_t marks, scan::PushReport pushed, vtkScanWrapEditReport& report);
 
 private:
   bool Deep = false;

@@ -6,6 +6,7 @@
 
 #include "filters/geometry/automatic_wrap.h"
 #include "filters/geometry/mesh_checks.h"
+#include "filters/geometry/outside_rooms.h"
 #include "tests/geometry/complex_corpus.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +76,7 @@ Wrapped wrapped(const std::vector<Vec3>& points, Opening opening, unsigned threa
   result.mesh.points = complex.points;
   for (const Facet facet : result.wrap.surface)
   {
-    result.mesh.triangles.push_back(outwardVertices(complex, result.wrap, facet));
+    result.mesh.triangles.push_back(outwardVertices(complex, result.wrap.inside, facet));
   }
   return result;
 }

@@ -66,7 +66,7 @@ TEST(RemoveWebs, RemovesWhatHangsOverTheSurface)
       ++added;
     }
   }
-  fins.finish();
+  fins.finish(execution);
   const WrapModel before = model;
   const WebReport report = removeWebs(model, {}, {}, execution);
   expectReported(before, report, model);

@@ -4,6 +4,7 @@
 // Scans with openings, and scans without that must stay closed, from the file to the surface.
 #include "filters/geometry/automatic_wrap.h"
 #include "filters/geometry/mesh_checks.h"
+#include "filters/geometry/outside_rooms.h"
 #include "tests/stories/corpus.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ Wrapped wrapped(const std::vector<Vec3>& points, Opening opening = Opening::auto
   TriMesh mesh{ complex.points, {} };
   for (const Facet facet : wrap.surface)
   {
-    mesh.triangles.push_back(outwardVertices(complex, wrap, facet));
+    mesh.triangles.push_back(outwardVertices(complex, wrap.inside, facet));
   }
   return { wrap.isOpen, static_cast<double>(complex.points.size()), describeMesh(mesh) };
 }
