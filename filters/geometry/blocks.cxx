@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace scan
 {
@@ -62,31 +63,58 @@ Blocks::Blocks(const FlowComplex& flow, const Basins& basins, Execution& executi
   }
   this->Doors = findDoors(*this, execution);
   execution.step("blocks", 1, 3);
-  this->DoorsOfBlock = Incidence(basins.count() + 1, this->Doors.size(),
-    [&](std::size_t d, auto&& visit)
-    {
-      visit(this->Doors[d].a);
-      visit(this->Doors[d].b);
-    });
+  this->sortDoors(execution);
   execution.step("blocks", 2, 3);
   this->measureOpenings();
   execution.step("blocks", 3, 3);
+}
+
+void Blocks::sortDoors(Execution& execution)
+{
+  this->DoorsOfBlock = Incidence(this->outside(), this->Doors.size(),
+    [&](std::size_t d, auto&& visit)
+    {
+      for (const Index block : { this->Doors[d].a, this->Doors[d].b })
+      {
+        if (block != this->outside())
+        {
+          visit(block);
+        }
+      }
+    });
+  std::vector<double> width(this->Doors.size()); // compared with the smaller room
+  for (std::size_t d = 0; d < width.size(); ++d)
+  {
+    const Door& door = this->Doors[d];
+    width[d] = door.radius / std::min(this->Size[door.a], this->Size[door.b]);
+  }
+  execution.parallelFor(this->outside(), 64,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto block = static_cast<Index>(begin); block < end; ++block)
+      {
+        this->DoorsOfBlock.sort(block,
+          [&](Index p, Index q) { return width[p] != width[q] ? width[p] > width[q] : p < q; });
+      }
+    });
 }
 
 /// Kruskal over the doors from wide to narrow: where two rooms meet, the smaller one dies
 /// (persistence); where one of them is the outside, the other opens.
 void Blocks::measureOpenings()
 {
-  std::vector<Index> byRadius(this->Doors.size());
-  std::iota(byRadius.begin(), byRadius.end(), Index{ 0 });
-  std::ranges::stable_sort(
-    byRadius, [&](Index p, Index q) { return this->Doors[p].radius > this->Doors[q].radius; });
+  std::vector<std::pair<double, Index>> byRadius(this->Doors.size()); // negative: wide first
+  for (Index d = 0; d < byRadius.size(); ++d)
+  {
+    byRadius[d] = { -this->Doors[d].radius, d };
+  }
+  std::ranges::sort(byRadius);
 
   UnionFind rooms(this->Size.size());
   std::vector<Index> next(this->Size.size()); // the members of a room in a ring
   std::iota(next.begin(), next.end(), Index{ 0 });
   const auto isOpen = [&](Index room) { return rooms.root(this->outside()) == room; };
-  for (const Index d : byRadius)
+  for (const auto& [negative, d] : byRadius)
   {
     const Door& door = this->Doors[d];
     Index elder = rooms.root(door.a);

@@ -6,6 +6,7 @@
 #include "filters/geometry/basins.h"
 #include "filters/geometry/incidence.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -60,6 +61,8 @@ public:
   double opening(Index block) const { return this->Opening[block]; }
 
   std::span<const Door> doors() const { return this->Doors; } ///< in the order of their triangles
+
+  /// Of a volume block; those through which one passes at a small reach come first.
   std::span<const Index> doorsOf(Index block) const { return this->DoorsOfBlock.of(block); }
 
   /// One passes from `block` through the door when size <= reach * radius.
@@ -68,7 +71,14 @@ public:
     return this->Size[block] <= reach * door.radius;
   }
 
+  /// Whether one passes through the door in one direction at least.
+  bool passes(const Door& door, double reach) const
+  {
+    return std::min(this->Size[door.a], this->Size[door.b]) <= reach * door.radius;
+  }
+
 private:
+  void sortDoors(Execution& execution);
   void measureOpenings();
 
   const FlowComplex& Flow;

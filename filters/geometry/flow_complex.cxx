@@ -263,35 +263,42 @@ bool findsCriticalEdge(const FlowComplex& flow, const CriticalEdge& edge)
 
 } // namespace
 
+void forEachCriticalEdge(const FlowComplex& flow, Index tet,
+  const std::function<bool(Facet)>& wanted, const std::function<void(const CriticalEdge&)>& visit)
+{
+  const DelaunayComplex& complex = flow.delaunay();
+  unsigned towardsEarlier = 0; // facets
+  for (unsigned k = 0; k < 4; ++k)
+  {
+    towardsEarlier |= static_cast<unsigned>(complex.mirror[tet][k] < 4 * tet) << k;
+  }
+  const unsigned skipped = kEdgesOfFacets[towardsEarlier] | flow.edgesSeenObtuse(tet);
+  const auto& v = complex.tetrahedra[tet];
+  for (int e = 0; e < kEdges; ++e)
+  {
+    if (skipped >> e & 1U)
+    {
+      continue;
+    }
+    const Facet triangle = 4 * tet + static_cast<Facet>(kEdgeOthers[e][0]);
+    const CriticalEdge edge{ { v[kEdgeEnds[e][0]], v[kEdgeEnds[e][1]] }, triangle,
+      v[kEdgeOthers[e][1]] };
+    if (wanted(triangle) && findsCriticalEdge(flow, edge))
+    {
+      visit(edge);
+    }
+  }
+}
+
 std::vector<CriticalEdge> criticalEdges(
   const FlowComplex& flow, Execution& execution, const std::function<bool(Facet)>& wanted)
 {
-  const DelaunayComplex& complex = flow.delaunay();
   execution.step("edges", 0, 1);
-  return collect<CriticalEdge>(complex.tetCount(), execution,
+  return collect<CriticalEdge>(flow.delaunay().tetCount(), execution,
     [&](Index tet, auto& found)
     {
-      unsigned towardsEarlier = 0; // facets
-      for (unsigned k = 0; k < 4; ++k)
-      {
-        towardsEarlier |= static_cast<unsigned>(complex.mirror[tet][k] < 4 * tet) << k;
-      }
-      const unsigned skipped = kEdgesOfFacets[towardsEarlier] | flow.edgesSeenObtuse(tet);
-      const auto& v = complex.tetrahedra[tet];
-      for (int e = 0; e < kEdges; ++e)
-      {
-        if (skipped >> e & 1U)
-        {
-          continue;
-        }
-        const Facet triangle = 4 * tet + static_cast<Facet>(kEdgeOthers[e][0]);
-        const CriticalEdge edge{ { v[kEdgeEnds[e][0]], v[kEdgeEnds[e][1]] }, triangle,
-          v[kEdgeOthers[e][1]] };
-        if (wanted(triangle) && findsCriticalEdge(flow, edge))
-        {
-          found.push_back(edge);
-        }
-      }
+      forEachCriticalEdge(
+        flow, tet, wanted, [&](const CriticalEdge& edge) { found.push_back(edge); });
     });
 }
 

@@ -51,13 +51,18 @@ public:
     return corner == 0 ? kNone : this->Complex.facetVertices(facet)[corner - 1];
   }
 
+  bool isObtuse(Facet facet) const
+  {
+    return (this->Obtuse[facet / 4] >> (2 * (facet % 4)) & 3U) != 0;
+  }
+
   /// The edges of a tetrahedron, bits 0 to 5 for 01, 02, 03, 12, 13, 23, that one of its other two
   /// vertices sees at an obtuse angle: they are not critical.
   unsigned edgesSeenObtuse(Index tet) const;
 
   bool isCriticalTriangle(Facet facet) const
   {
-    return this->isFree(facet) && this->obtuseVertex(facet) == kNone;
+    return this->isFree(facet) && !this->isObtuse(facet);
   }
 
   /// The facet through which a tetrahedron that is no sink flows on: its attached facet, of two
@@ -84,6 +89,11 @@ struct CriticalEdge
   Facet triangle;
   Index apex; ///< the vertex of the triangle that is not on the edge
 };
+
+/// Calls visit(edge) for the critical edges (the Gabriel edges) whose first tetrahedron this is:
+/// for each edge of the complex once.
+void forEachCriticalEdge(const FlowComplex& flow, Index tet,
+  const std::function<bool(Facet)>& wanted, const std::function<void(const CriticalEdge&)>& visit);
 
 /// All critical edges (the Gabriel edges), in the order of their triangles; only edges for which
 /// that triangle is `wanted`. Reports phase "edges".

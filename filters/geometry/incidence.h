@@ -4,6 +4,7 @@
 
 #include "filters/geometry/mesh.h"
 
+#include <algorithm>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -40,6 +41,14 @@ public:
   std::span<const Index> of(Index owner) const
   {
     return { this->Items.data() + this->First[owner], this->Items.data() + this->First[owner + 1] };
+  }
+
+  /// Puts the items of an owner into another order.
+  template <class Before>
+  void sort(Index owner, Before&& isBefore)
+  {
+    std::sort(this->Items.begin() + this->First[owner],
+      this->Items.begin() + this->First[owner + 1], isBefore);
   }
 
 private:

@@ -3,7 +3,11 @@
 #include "filters/geometry/pushes.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <set>
 #include <unordered_set>
+#include <utility>
 
 namespace scan
 {
@@ -53,6 +57,7 @@ public:
     , TheBlocks(model.scan->blocks(execution))
     , State(model)
     , Editor(State.editor())
+    , IsReached(TheBlocks.outside(), 0)
   {
   }
 
@@ -68,12 +73,12 @@ public:
     }
     for (const Keeper& keeper : marked)
     {
-      this->collapse();
+      this->collapse(Doors::stay);
       this->removeKeeper(keeper);
     }
     for (const BlockName& block : named)
     {
-      this->collapse();
+      this->collapse(Doors::stay);
       if (isKept(this->State.kept(), this->TheBlocks, block))
       {
         this->removeBlock(block);
@@ -86,15 +91,15 @@ public:
   {
     for (const BlockName& block : removed)
     {
-      if (block.name == kNone)
+      if (block.name != kNone && !block.isSheet && this->IsReached[block.name] == 0)
       {
-        continue;
+        this->forEachInReach(block.name, [](Index) {});
       }
-      if (!block.isSheet)
-      {
-        this->forEachInReach(block.name, [&](Index volume) { this->addVolume(volume); });
-      }
-      else if (!this->State.kept().keepsTriangle(block.name))
+    }
+    this->addVolumes();
+    for (const BlockName& block : removed)
+    {
+      if (block.name != kNone && block.isSheet && !this->State.kept().keepsTriangle(block.name))
       {
         this->Editor.addLowerSetOfTriangle(block.name, this->limits(block), this->Run);
         this->Report.blocks.push_back(block);
@@ -114,12 +119,24 @@ public:
   }
 
 private:
+  enum class Doors : std::uint8_t
+  {
+    stay,
+    goAlong
+  };
+
   /// Calls act(block) for the block and, deep, all that one passes to from there.
   template <class Act>
   void forEachInReach(Index first, Act&& act)
   {
-    std::vector<Index> pending{ first };
-    this->Reached.insert(first);
+    std::vector<Index> pending;
+    const auto reach = [&](Index block)
+    {
+      pending.push_back(block);
+      this->IsReached[block] = 1;
+      this->Reached.push_back(block);
+    };
+    reach(first);
     while (!pending.empty())
     {
       const Index block = pending.back();
@@ -129,17 +146,31 @@ private:
       {
         continue;
       }
-      for (const Index d : this->TheBlocks.doorsOf(block))
-      {
-        const Door& door = this->TheBlocks.doors()[d];
-        const Index other = door.a == block ? door.b : door.a;
-        if (this->TheBlocks.isVolume(other) &&
-          this->TheBlocks.passes(block, door, this->Options.reach) &&
-          this->Reached.insert(other).second)
+      this->forEachPassed(block,
+        [&](Index d)
         {
-          pending.push_back(other);
-        }
+          const Door& door = this->TheBlocks.doors()[d];
+          const Index other = door.a == block ? door.b : door.a;
+          if (this->TheBlocks.isVolume(other) &&
+            this->TheBlocks.passes(block, door, this->Options.reach) && this->IsReached[other] == 0)
+          {
+            reach(other);
+          }
+        });
+    }
+  }
+
+  /// Calls act(d) for the doors of a block through which one passes in one direction at least.
+  template <class Act>
+  void forEachPassed(Index block, Act&& act) const
+  {
+    for (const Index d : this->TheBlocks.doorsOf(block))
+    {
+      if (!this->TheBlocks.passes(this->TheBlocks.doors()[d], this->Options.reach))
+      {
+        return;
       }
+      act(d);
     }
   }
 
@@ -197,67 +228,110 @@ private:
 
   void removeDoors()
   {
-    if (!this->Model.isSolid && this->Editor.isBulk(this->Going, this->TheBlocks))
+    if (this->collapse(Doors::goAlong) == Doors::stay)
     {
-      this->Report.doors +=
-        this->Editor.removeInBulk(this->Going, this->doorsInReach(), this->TheBlocks, this->Run);
-      this->Going.clear();
+      this->removeBareDoors();
     }
-    this->collapse();
+    this->nameEarlierDoors();
+  }
+
+  void removeBareDoors()
+  {
     Index before = 0;
     do // without a door more may collapse, and bare more doors
     {
       before = this->Report.doors;
       for (const Index block : this->Reached)
       {
-        for (const Index d : this->TheBlocks.doorsOf(block))
-        {
-          this->removeIfBare(this->TheBlocks.doors()[d]);
-        }
+        this->forEachPassed(
+          block, [&](Index d) { this->removeIfBare(this->TheBlocks.doors()[d]); });
       }
-      this->collapse();
+      this->collapse(Doors::stay);
     } while (this->Report.doors != before);
   }
 
-  std::vector<Facet> doorsInReach() const
+  /// Walls between blocks that were gone before belong to none that goes now: they are blocks of
+  /// their own, so that a pull brings them back.
+  void nameEarlierDoors()
   {
-    std::vector<Facet> triangles;
+    std::vector<BlockName> named;
     for (const Index block : this->Reached)
     {
-      for (const Index d : this->TheBlocks.doorsOf(block))
-      {
-        const Door& door = this->TheBlocks.doors()[d];
-        if (this->isPassed(door))
+      this->forEachPassed(block,
+        [&](Index d)
         {
-          triangles.push_back(door.triangle);
-        }
-      }
+          const Facet triangle = this->TheBlocks.doors()[d].triangle;
+          if (this->Model.current->isSheet(triangle) && !this->State.kept().keepsTriangle(triangle))
+          {
+            named.push_back({ .isSheet = true, .name = triangle });
+          }
+        });
     }
-    std::ranges::sort(triangles);
-    return triangles;
+    std::vector<BlockName>& blocks = this->Report.blocks;
+    std::set<BlockName> marked; // asked for, and no doors to the report
+    std::ranges::copy_if(blocks, std::inserter(marked, marked.end()), &BlockName::isSheet);
+    std::erase_if(named, [&](const BlockName& name) { return marked.contains(name); });
+    std::ranges::sort(named);
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+    this->Report.doors -= static_cast<Index>(named.size());
+    blocks.insert(blocks.end(), named.begin(), named.end());
   }
 
-  /// Everything that collapses without the blocks that are going. Solids are not bound to the flow:
-  /// of them goes what is asked for and nothing else.
-  void collapse()
+  /// What edits these volumes at once, null where that is not worth it, or not possible.
+  const CollapseGraph* graph(std::span<const Index> volumes) const
   {
-    if (!this->Model.isSolid)
+    std::int64_t tets = 0;
+    for (const Index volume : volumes)
     {
-      this->Editor.removeVolumes(this->Going, this->TheBlocks, this->Run);
+      tets += this->TheBlocks.tetCount(volume);
     }
-    this->Going.clear();
+    return this->State.kept().followsFlow() ? this->Model.scan->graphFor(tets, this->Run) : nullptr;
   }
 
-  /// Whether one of the sides passes to the other.
-  bool isPassed(const Door& door) const
+  /// Per critical triangle of the graph: 1 for those that go as soon as they are bare.
+  std::vector<std::uint8_t> doorsInReach(const CollapseGraph& graph) const
   {
-    return this->TheBlocks.passes(door.a, door, this->Options.reach) ||
-      this->TheBlocks.passes(door.b, door, this->Options.reach);
+    std::vector<std::uint8_t> opened(graph.critical().count(), 0);
+    for (const Index block : this->Reached)
+    {
+      this->forEachPassed(block, [&](Index d) { opened[graph.indexOfDoor(d)] = 1; });
+    }
+    return opened;
+  }
+
+  /// Everything that collapses without the blocks that are going; in bulk the doors go along, if
+  /// they may. Solids are not bound to the flow: of them goes what is asked for and nothing else.
+  Doors collapse(Doors doors)
+  {
+    const std::vector<Index> going = std::exchange(this->Going, {});
+    if (this->Model.isSolid)
+    {
+      return Doors::stay;
+    }
+    const CollapseGraph* graph = this->graph(going);
+    if (graph == nullptr)
+    {
+      this->Editor.removeVolumes(going, this->TheBlocks, this->Run);
+      return Doors::stay;
+    }
+    CriticalChoice choice = criticalChoiceOf(this->State.kept(), this->TheBlocks.basins());
+    for (const Index volume : going)
+    {
+      choice.holdsBasin[volume] = 0;
+    }
+    std::vector<std::uint8_t> opened;
+    if (doors == Doors::goAlong)
+    {
+      opened = this->doorsInReach(*graph);
+      choice.keepsTriangle = [&](Index i, bool was) { return was && opened[i] == 0; };
+    }
+    this->Report.doors += this->Editor.choose(*graph, choice, this->Run);
+    return doors;
   }
 
   void removeIfBare(const Door& door)
   {
-    if (this->State.kept().isSheet(door.triangle) && this->isPassed(door))
+    if (this->State.kept().isSheet(door.triangle))
     {
       this->Editor.removeSheet(door.triangle);
       ++this->Report.doors;
@@ -268,6 +342,32 @@ private:
   const WrapComplex* limits(const BlockName& block) const
   {
     return isKept(*this->Model.start, this->TheBlocks, block) ? this->Model.start.get() : nullptr;
+  }
+
+  /// All blocks in reach.
+  void addVolumes()
+  {
+    std::vector<Index> coming;
+    for (const Index block : this->Reached)
+    {
+      if (!isKept(this->State.kept(), this->TheBlocks, { .isSheet = false, .name = block }))
+      {
+        coming.push_back(block);
+      }
+    }
+    const CollapseGraph* graph = this->Model.start->followsFlow() ? this->graph(coming) : nullptr;
+    if (graph == nullptr)
+    {
+      std::ranges::for_each(this->Reached, [&](Index block) { this->addVolume(block); });
+      return;
+    }
+    CriticalChoice choice = criticalChoiceOf(this->State.kept(), this->TheBlocks.basins());
+    for (const Index block : coming)
+    {
+      choice.holdsBasin[block] = 1;
+      this->Report.blocks.push_back({ .isSheet = false, .name = block });
+    }
+    this->Editor.choose(*graph, choice, this->Run);
   }
 
   void addVolume(Index block)
@@ -303,8 +403,9 @@ private:
   const Blocks& TheBlocks;
   ModelEdit State;
   WrapEditor& Editor;
-  std::unordered_set<Index> Reached;
-  std::vector<Index> Going; ///< volumes that are still to be removed
+  std::vector<std::uint8_t> IsReached; ///< per block
+  std::vector<Index> Reached;          ///< some perhaps more than once
+  std::vector<Index> Going;            ///< volumes that are still to be removed
   PushReport Report;
 };
 

@@ -23,8 +23,10 @@ struct PushOptions
 /// What a push or pull did.
 struct PushReport : EditReport
 {
-  std::vector<BlockName> blocks; ///< removed or added, in the order they were reached
-  Index doors = 0;               ///< walls removed between blocks that are both gone
+  /// Removed or added: volume blocks in the order they were reached, and sheet blocks. A wall
+  /// between blocks that were gone before is one of these.
+  std::vector<BlockName> blocks;
+  Index doors = 0; ///< walls removed, beside these, between blocks that are both gone
 };
 
 /// Removes the blocks that the triangles of the surface belong to now, and those given by name;

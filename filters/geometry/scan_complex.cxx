@@ -28,9 +28,45 @@ const SizeScale& ScanComplex::sizes(Execution& execution) const
   const std::scoped_lock lock(this->Guard);
   if (!this->TheSizes)
   {
-    this->TheSizes = std::make_unique<const SizeScale>(blocks);
+    this->TheSizes = std::make_unique<const SizeScale>(*this, blocks, execution);
   }
   return *this->TheSizes;
+}
+
+const CollapseGraph* ScanComplex::graphFor(std::int64_t tets, Execution& execution) const
+{
+  constexpr std::int64_t kTetsAPass = 512;    // a pass over that many costs what editing one does
+  constexpr std::int64_t kPartOfTheGraph = 2; // to edit this part of all takes as long as the graph
+  if (kTetsAPass * tets <= this->Delaunay.tetCount())
+  {
+    return nullptr;
+  }
+  {
+    const std::scoped_lock lock(this->Guard);
+    if (!this->TheGraph && kPartOfTheGraph * this->EditedOneByOne < this->Delaunay.tetCount())
+    {
+      this->EditedOneByOne += tets;
+      return nullptr;
+    }
+  }
+  return &this->graph(execution);
+}
+
+const CollapseGraph& ScanComplex::graph(Execution& execution) const
+{
+  const Blocks& blocks = this->blocks(execution);
+  const std::scoped_lock lock(this->Guard);
+  if (!this->TheGraph)
+  {
+    this->TheGraph = std::make_unique<const CollapseGraph>(blocks, execution);
+  }
+  return *this->TheGraph;
+}
+
+void ScanComplex::prepareEdits(Execution& execution) const
+{
+  this->sizes(execution);
+  this->graph(execution);
 }
 
 } // namespace scan

@@ -5,8 +5,10 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/basins.h"
 #include "filters/geometry/blocks.h"
+#include "filters/geometry/collapse_graph.h"
 #include "filters/geometry/size_scale.h"
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -32,13 +34,25 @@ public:
   const Blocks& blocks(Execution& execution) const;
   const SizeScale& sizes(Execution& execution) const;
 
+  /// What edits many tetrahedra at once, for an edit of so many of them; null where one by one is
+  /// the shorter way. The graph is made once such edits have taken about as long as that does, or
+  /// by prepareEdits(). Reports phase "holders".
+  const CollapseGraph* graphFor(std::int64_t tets, Execution& execution) const;
+
+  /// Makes all that edits need, so that the first one answers as fast as the others.
+  void prepareEdits(Execution& execution) const;
+
 private:
+  const CollapseGraph& graph(Execution& execution) const;
+
   DelaunayComplex Delaunay;
   FlowComplex Flow;
   Basins TheBasins;
   mutable std::mutex Guard;
   mutable std::unique_ptr<const Blocks> TheBlocks;
   mutable std::unique_ptr<const SizeScale> TheSizes;
+  mutable std::unique_ptr<const CollapseGraph> TheGraph;
+  mutable std::int64_t EditedOneByOne = 0; ///< tetrahedra
 };
 
 } // namespace scan

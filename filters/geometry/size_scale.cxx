@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/size_scale.h"
 
+#include "filters/geometry/collect.h"
+#include "filters/geometry/scan_complex.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -29,8 +32,9 @@ std::span<const Entry> between(const std::vector<Entry>& entries, double from, d
 
 } // namespace
 
-SizeScale::SizeScale(const Blocks& blocks)
-  : TheBlocks(blocks)
+SizeScale::SizeScale(const ScanComplex& scan, const Blocks& blocks, Execution& execution)
+  : Scan(scan)
+  , TheBlocks(blocks)
 {
   const FlowComplex& flow = blocks.flow();
   const DelaunayComplex& complex = flow.delaunay();
@@ -41,13 +45,14 @@ SizeScale::SizeScale(const Blocks& blocks)
       this->Openings.push_back({ blocks.opening(block), block });
     }
   }
-  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
-  {
-    if (complex.canonical(facet) == facet && flow.isCriticalTriangle(facet))
+  this->Triangles = collect<Entry>(4 * complex.tetCount(), execution,
+    [&](Facet facet, auto& found)
     {
-      this->Triangles.push_back({ radiusOf(complex, facet), facet });
-    }
-  }
+      if (complex.canonical(facet) == facet && flow.isCriticalTriangle(facet))
+      {
+        found.push_back({ radiusOf(complex, facet), facet });
+      }
+    });
   const auto wideFirst = [](const Entry& a, const Entry& b)
   { return a.radius != b.radius ? a.radius > b.radius : a.name < b.name; };
   std::ranges::sort(this->Openings, wideFirst);
@@ -57,6 +62,18 @@ SizeScale::SizeScale(const Blocks& blocks)
 void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double from, double to,
   Execution& execution) const
 {
+  std::int64_t tets = 0;
+  for (const Entry& entry : between(this->Openings, std::max(from, to), std::min(from, to)))
+  {
+    tets += this->TheBlocks.tetCount(entry.name);
+  }
+  const CollapseGraph* graph =
+    complex.followsFlow() ? this->Scan.graphFor(tets, execution) : nullptr;
+  if (graph != nullptr)
+  {
+    editor.choose(*graph, this->choiceOf(*graph, complex, from, to), execution);
+    return;
+  }
   if (to < from)
   {
     this->open(editor, complex, from, to, execution);
@@ -70,6 +87,32 @@ void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double fr
   {
     editor.addLowerSetOfTriangle(entry.name, nullptr, execution);
   }
+}
+
+/// Between the two sizes everything changes; what is wider than both stays as it is.
+CriticalChoice SizeScale::choiceOf(
+  const CollapseGraph& graph, const WrapComplex& complex, double from, double to) const
+{
+  CriticalChoice choice = criticalChoiceOf(complex, this->TheBlocks.basins());
+  for (const Entry& entry : between(this->Openings, std::max(from, to), std::min(from, to)))
+  {
+    choice.holdsBasin[entry.name] = to > from ? 1 : 0;
+  }
+  if (to > from)
+  {
+    choice.keepsTriangle = [&graph, from, to](Index i, bool was)
+    { return was || (graph.radiusOf(i) > from && graph.radiusOf(i) <= to); };
+  }
+  else
+  {
+    choice.keepsTriangle = [&graph, &complex, from, to](Index i, bool was)
+    {
+      const double radius = graph.radiusOf(i);
+      return was &&
+        (radius <= to || (radius > from && complex.isSheetNamed(graph.critical().name[i])));
+    };
+  }
+  return choice;
 }
 
 void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from, double to,

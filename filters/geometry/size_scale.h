@@ -10,13 +10,15 @@
 namespace scan
 {
 
+class ScanComplex;
+
 /// All wraps between the Wrap complex (size infinite) and nothing (size 0), sorted once: at size R
 /// everything is removed that one reaches from outside through doors wider than R, and every sheet
 /// block wider than R. From one size to another the cost follows what changes.
 class SizeScale
 {
 public:
-  explicit SizeScale(const Blocks& blocks);
+  SizeScale(const ScanComplex& scan, const Blocks& blocks, Execution& execution);
 
   /// Turns the wrap of size `from` into that of size `to`.
   /// @param complex that the editor edits
@@ -33,6 +35,10 @@ private:
   void open(WrapEditor& editor, const WrapComplex& complex, double from, double to,
     Execution& execution) const;
 
+  CriticalChoice choiceOf(
+    const CollapseGraph& graph, const WrapComplex& complex, double from, double to) const;
+
+  const ScanComplex& Scan;
   const Blocks& TheBlocks;
   std::vector<Entry> Openings;  ///< of volume blocks, from wide to narrow
   std::vector<Entry> Triangles; ///< critical triangles, from wide to narrow

@@ -6,6 +6,7 @@
 #include "filters/geometry/flow_complex.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +48,25 @@ public:
   {
     const Facet name = this->Flow->delaunay().canonical(facet);
     return this->State[name / 4] >> (name % 4) & 1U;
+  }
+
+  /// The same for canonical facets; several threads may set different ones.
+  bool isSheetNamed(Facet name) const { return this->State[name / 4] >> (name % 4) & 1U; }
+  bool keepsNamed(Facet name) const
+  {
+    if (this->isSheetNamed(name) || this->keepsTet(name / 4))
+    {
+      return true;
+    }
+    const Index beyond = this->Flow->delaunay().neighbour(name / 4, static_cast<int>(name % 4));
+    return beyond != kNone && this->keepsTet(beyond);
+  }
+  void setSheetNamed(Facet name, bool keep)
+  {
+    const std::atomic_ref state(this->State[name / 4]);
+    const auto bit = static_cast<std::uint8_t>(1U << (name % 4));
+    keep ? state.fetch_or(bit, std::memory_order_relaxed)
+         : state.fetch_and(static_cast<std::uint8_t>(~bit), std::memory_order_relaxed);
   }
 
   /// The kept tetrahedron beside a boundary triangle.

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap_editor.h"
 
-#include "filters/geometry/bulk_collapse.h"
-#include "filters/geometry/collect.h"
-
 #include <algorithm>
 #include <bit>
 
@@ -161,26 +158,9 @@ void WrapEditor::reviewInterval(EdgeOfTriangle edge, Index tet)
   }
 }
 
-bool WrapEditor::isBulk(std::span<const Index> volumes, const Blocks& blocks) const
-{
-  // where a pass over all tetrahedra costs less than to collapse these one after the other
-  constexpr std::int64_t kTetsAPass = 256;
-  std::int64_t tets = 0;
-  for (const Index volume : volumes)
-  {
-    tets += blocks.tetCount(volume);
-  }
-  return this->Kept.followsFlow() && kTetsAPass * tets > this->Complex.tetCount();
-}
-
 void WrapEditor::removeVolumes(
   std::span<const Index> volumes, const Blocks& blocks, Execution& execution)
 {
-  if (this->isBulk(volumes, blocks))
-  {
-    this->removeInBulk(volumes, {}, blocks, execution);
-    return;
-  }
   for (const Index volume : volumes)
   {
     if (this->Kept.keepsTet(blocks.sink(volume)))
@@ -191,61 +171,12 @@ void WrapEditor::removeVolumes(
   this->collapse(execution);
 }
 
-Index WrapEditor::removeInBulk(std::span<const Index> volumes, std::span<const Facet> doors,
-  const Blocks& blocks, Execution& execution)
+Index WrapEditor::choose(
+  const CollapseGraph& graph, const CriticalChoice& choice, Execution& execution)
 {
-  const BulkLoss loss = findBulkLoss(this->Kept, blocks, volumes, doors, execution);
-  std::int64_t triangles = static_cast<std::int64_t>(loss.free.size());
-  std::int64_t critical = 0; // sinks without doors
-  Index opened = 0;
-  for (const Index tet : loss.tets)
-  {
-    this->Kept.dropTet(tet);
-    triangles += std::popcount(this->Flow.attachedFacets(tet));
-    critical += this->Flow.isSink(tet) ? 1 : 0;
-  }
-  for (const Facet facet : loss.bared)
-  {
-    this->Kept.keepSheet(facet);
-    this->BaredSheets.push_back(facet);
-  }
-  for (const Facet facet : loss.free)
-  {
-    this->Kept.dropSheet(facet);
-    opened += this->Flow.isCriticalTriangle(facet) ? 1 : 0;
-  }
-  critical -= opened;
-  const auto tets = static_cast<std::int64_t>(loss.tets.size());
-  this->Change.tetrahedra -= tets;
-  this->Change.triangles -= triangles;
-  // what collapses takes as many edges and tetrahedra as triangles
-  this->Change.edges -= triangles - (tets - critical) + this->countLostEdges(loss.free, execution);
-  return opened;
-}
-
-/// Critical edges without a triangle after the loss of free triangles. A kept critical edge that is
-/// no line has a free triangle: the lowest of its kept triangles and tetrahedra is one.
-std::int64_t WrapEditor::countLostEdges(std::span<const Facet> gone, Execution& execution) const
-{
-  std::vector<Segment> lost = collect<Segment>(static_cast<Index>(gone.size()), execution,
-    [&](Index i, auto& found)
-    {
-      forEachEdge(this->Complex, gone[i],
-        [&](EdgeOfTriangle edge)
-        {
-          if (edge.apex != this->Flow.obtuseVertex(gone[i]) &&
-            keptTrianglesAtEdge(this->Kept, edge, 1) == 0 && !this->isLine(edge))
-          {
-            const EdgeInterval interval = intervalOfEdge(this->Flow, edge);
-            if (interval.tet == kNone && interval.triangle == kNone)
-            {
-              found.push_back(this->verticesOf(edge));
-            }
-          }
-        });
-    });
-  std::ranges::sort(lost);
-  return std::distance(lost.begin(), std::unique(lost.begin(), lost.end()));
+  const BulkReport report = editInBulk(this->Kept, graph, choice, execution);
+  this->Change += report.change;
+  return report.doors;
 }
 
 void WrapEditor::collapse(Execution& execution)

@@ -4,7 +4,9 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/blocks.h"
+#include "filters/geometry/bulk_edit.h"
 #include "filters/geometry/edge_intervals.h"
+#include "filters/geometry/wrap_change.h"
 #include "filters/geometry/wrap_complex.h"
 
 #include <cstdint>
@@ -14,19 +16,6 @@
 
 namespace scan
 {
-
-/// By how much the numbers of kept simplices changed.
-struct WrapChange
-{
-  std::int64_t tetrahedra = 0;
-  std::int64_t triangles = 0;
-  std::int64_t edges = 0;
-
-  std::int64_t eulerCharacteristic() const
-  {
-    return this->triangles - this->edges - this->tetrahedra;
-  }
-};
 
 /// Removes and adds simplices of a subcomplex, keeps it closed and counts what changed. The cost is
 /// that of the surroundings of what changes, whatever the size of the complex.
@@ -52,14 +41,9 @@ public:
   /// Removes the sinks of volume blocks that are kept, and everything that then collapses.
   void removeVolumes(std::span<const Index> volumes, const Blocks& blocks, Execution& execution);
 
-  /// Whether the blocks are large enough to remove them in bulk, and the state follows the flow.
-  bool isBulk(std::span<const Index> volumes, const Blocks& blocks) const;
-
-  /// The same as removeVolumes(), in one go, from states that follow the flow. Takes doors along,
-  /// as often as any is left whose sides are both gone; returns their number.
-  /// @param doors critical triangles in increasing order
-  Index removeInBulk(std::span<const Index> volumes, std::span<const Facet> doors,
-    const Blocks& blocks, Execution& execution);
+  /// Keeps the chosen critical simplices and what they hold; for states that follow the flow.
+  /// Returns the number of critical triangles that went.
+  Index choose(const CollapseGraph& graph, const CriticalChoice& choice, Execution& execution);
 
   /// Adds a tetrahedron or triangle with its faces and everything that collapses only after it: the
   /// lower set of the radius function's relation. Only what `within` keeps, where that is given.
@@ -83,7 +67,6 @@ private:
   void meetEdge(EdgeOfTriangle edge);
   void addLowerSets(std::vector<Index> tets, std::vector<Facet> triangles,
     const WrapComplex* within, Execution& execution);
-  std::int64_t countLostEdges(std::span<const Facet> gone, Execution& execution) const;
   Segment verticesOf(EdgeOfTriangle edge) const;
   bool isLine(EdgeOfTriangle edge) const;
 

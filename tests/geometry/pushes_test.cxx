@@ -248,35 +248,88 @@ TEST(Pushes, SurfaceChangeIsTheDifferenceOfTheSurfaces)
   }
 }
 
-/// Sinks one after the other, then the doors that are bare, as often as there are any.
-Index removeOneByOne(WrapEditor& editor, const WrapComplex& kept, const Blocks& blocks,
-  const std::vector<Index>& volumes, const std::vector<Facet>& doors)
+/// A choice at random, and the way there one simplex after the other.
+struct Journey
 {
-  Execution execution(1);
-  for (const Index volume : volumes)
+  bool onlyRemoves = true;
+  std::vector<Index> leaving; ///< volumes
+  std::vector<Index> coming;
+  std::vector<std::uint8_t> opened; ///< per critical triangle of the graph: goes when it is bare
+  std::vector<std::uint8_t> closed; ///< comes
+
+  Journey(const CollapseGraph& graph, const Blocks& blocks, std::mt19937_64& random)
+    : opened(graph.critical().count())
+    , closed(graph.critical().count())
   {
-    if (kept.keepsTet(blocks.sink(volume)))
+    this->onlyRemoves = random() % 2 == 0;
+    for (Index block = 0; block < blocks.outside(); ++block)
     {
-      editor.removeTet(blocks.sink(volume));
+      if (blocks.isVolume(block) && random() % 8 == 0)
+      {
+        (!this->onlyRemoves && random() % 2 == 0 ? this->coming : this->leaving).push_back(block);
+      }
+    }
+    for (Index i = 0; i < graph.critical().count(); ++i)
+    {
+      this->opened[i] = random() % 3 == 0 ? 1 : 0;
+      this->closed[i] = !this->onlyRemoves && this->opened[i] == 0 && random() % 8 == 0 ? 1 : 0;
     }
   }
-  editor.collapse(execution);
-  Index removed = 0;
-  for (bool changed = true; changed;)
+
+  CriticalChoice choice(const WrapComplex& kept, const CollapseGraph& graph) const
   {
-    changed = false;
-    for (const Facet door : doors)
+    CriticalChoice chosen = criticalChoiceOf(kept, graph.basins());
+    std::ranges::for_each(this->leaving, [&](Index volume) { chosen.holdsBasin[volume] = 0; });
+    std::ranges::for_each(this->coming, [&](Index volume) { chosen.holdsBasin[volume] = 1; });
+    chosen.keepsTriangle = [this](Index i, bool was)
+    { return this->closed[i] != 0 || (was && this->opened[i] == 0); };
+    return chosen;
+  }
+
+  /// Sinks, then the triangles that are bare, as often as there are any; then what comes.
+  void go(WrapEditor& editor, const WrapComplex& kept, const CollapseGraph& graph) const
+  {
+    Execution execution(1);
+    for (const Index volume : this->leaving)
     {
-      if (kept.isSheet(door))
+      const Index sink = graph.basins().sink[volume];
+      if (kept.keepsTet(sink))
       {
-        editor.removeSheet(door);
-        editor.collapse(execution);
-        changed = true;
-        ++removed;
+        editor.removeTet(sink);
+      }
+    }
+    editor.collapse(execution);
+    for (const Index volume : this->coming)
+    {
+      editor.addLowerSet(graph.basins().sink[volume], nullptr, execution);
+    }
+    for (Index i = 0; i < graph.critical().count(); ++i)
+    {
+      if (this->closed[i] != 0)
+      {
+        editor.addLowerSetOfTriangle(graph.critical().name[i], nullptr, execution);
+      }
+    }
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      for (Index i = 0; i < graph.critical().count(); ++i)
+      {
+        if (this->opened[i] != 0 && kept.isSheet(graph.critical().name[i]))
+        {
+          editor.removeSheet(graph.critical().name[i]);
+          editor.collapse(execution);
+          changed = true;
+        }
       }
     }
   }
-  return removed;
+};
+
+Index criticalTrianglesOf(const WrapComplex& kept, const CollapseGraph& graph)
+{
+  return static_cast<Index>(std::ranges::count_if(
+    graph.critical().name, [&](Facet facet) { return kept.keepsTriangle(facet); }));
 }
 
 TEST(Pushes, InBulkAndOneByOneAreTheSame)
@@ -288,34 +341,77 @@ TEST(Pushes, InBulkAndOneByOneAreTheSame)
     const WrapModel start = wrapped(set.points, { .mode = WrapOptions::Mode::classic }).model;
     Execution execution(2);
     const Blocks& blocks = start.scan->blocks(execution);
+    const CollapseGraph graph(blocks, execution);
     WrapComplex bulky = *start.start;
     WrapComplex single = *start.start;
     WrapEditor bulk(bulky, *start.lines);
     WrapEditor one(single, *start.lines);
-    for (int step = 0; step < 8; ++step)
+    for (int step = 0; step < 12; ++step)
     {
-      std::vector<Index> volumes;
-      std::vector<Facet> doors;
-      for (Index block = 0; block < blocks.outside(); ++block)
-      {
-        if (blocks.isVolume(block) && random() % 8 == 0)
-        {
-          volumes.push_back(block);
-        }
-      }
-      for (const Door& door : blocks.doors())
-      {
-        if (random() % 3 == 0)
-        {
-          doors.push_back(door.triangle);
-        }
-      }
-      const Index opened = bulk.removeInBulk(volumes, doors, blocks, execution);
-      EXPECT_EQ(opened, removeOneByOne(one, single, blocks, volumes, doors));
+      const Journey journey(graph, blocks, random);
+      const Index before = criticalTrianglesOf(bulky, graph);
+      const Index opened = bulk.choose(graph, journey.choice(bulky, graph), execution);
+      journey.go(one, single, graph);
       ASSERT_EQ(bulky, single) << "step " << step;
       EXPECT_EQ(bulk.change().tetrahedra, one.change().tetrahedra);
       EXPECT_EQ(bulk.change().triangles, one.change().triangles);
       EXPECT_EQ(bulk.change().edges, one.change().edges);
+      if (journey.onlyRemoves)
+      {
+        EXPECT_EQ(opened, before - criticalTrianglesOf(bulky, graph));
+      }
+    }
+  }
+}
+
+/// What is prepared answers sooner and nothing else.
+TEST(Pushes, PreparedOrNotTheyAreTheSame)
+{
+  for (const PointSet& set : scans(testSeed() + 4))
+  {
+    SCOPED_TRACE(set.name + ", SCAN_TEST_SEED=" + std::to_string(set.seed));
+    std::mt19937_64 random(set.seed);
+    const auto once = [&](bool isPrepared)
+    {
+      Execution execution(2);
+      WrapModel model = wrapped(set.points, { .mode = WrapOptions::Mode::classic }).model;
+      if (isPrepared)
+      {
+        model.scan->prepareEdits(execution);
+      }
+      return model;
+    };
+    for (int step = 0; step < 4; ++step)
+    {
+      std::array<WrapModel, 2> models{ once(false), once(true) };
+      const Facet mark = someTriangle(models[0], random);
+      if (mark == kNone)
+      {
+        break;
+      }
+      std::array<PushReport, 2> pushes;
+      std::array<PushReport, 2> pulls;
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        pushes[i] = pushed(models[i], mark, { .deep = true });
+      }
+      // both scans were made anew, from the same points
+      EXPECT_TRUE(
+        models[0].current->isEqualIn(*models[1].current, 0, models[0].scan->delaunay().tetCount()));
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        pulls[i] = pulled(models[i], pushes[i].blocks.front(), { .deep = true });
+      }
+      for (const auto& reports : { pushes, pulls })
+      {
+        EXPECT_EQ(reports[0].blocks, reports[1].blocks);
+        EXPECT_EQ(reports[0].doors, reports[1].doors);
+        EXPECT_EQ(reports[0].change.triangles, reports[1].change.triangles);
+        EXPECT_EQ(reports[0].change.edges, reports[1].change.edges);
+        EXPECT_EQ(reports[0].surface.gone, reports[1].surface.gone);
+      }
+      EXPECT_TRUE(
+        models[0].current->isEqualIn(*models[1].current, 0, models[0].scan->delaunay().tetCount()));
     }
   }
 }

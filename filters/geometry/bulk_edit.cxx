@@ -1,0 +1,372 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/bulk_edit.h"
+
+#include "filters/geometry/large_array.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <span>
+
+namespace scan
+{
+namespace
+{
+
+using Nodes = CollapseGraph::Nodes;
+using BasinFlags = std::vector<std::uint8_t>;
+
+struct Range
+{
+  Index begin;
+  Index end;
+};
+
+/// Cuts what the flagged basins hold, of items grouped by basin, into pieces of some size.
+std::vector<Range> piecesOf(std::span<const Index> ofBasin, const BasinFlags& flags)
+{
+  constexpr Index kPiece = 1 << 13;
+  std::vector<Range> pieces;
+  for (std::size_t basin = 0; basin < flags.size(); ++basin)
+  {
+    const Index last = flags[basin] != 0 ? ofBasin[basin + 1] : ofBasin[basin];
+    for (Index begin = ofBasin[basin], end = 0; begin < last; begin = end)
+    {
+      end = std::min(begin + kPiece, last);
+      const bool isNext = !pieces.empty() && pieces.back().end == begin;
+      if (isNext && end - pieces.back().begin <= kPiece)
+      {
+        pieces.back().end = end;
+      }
+      else
+      {
+        pieces.push_back({ begin, end });
+      }
+    }
+  }
+  return pieces;
+}
+
+class BulkEdit
+{
+public:
+  BulkEdit(WrapComplex& kept, const CollapseGraph& graph, const CriticalChoice& choice,
+    Execution& execution)
+    : Kept(kept)
+    , Flow(graph.flow())
+    , Graph(graph)
+    , Choice(choice)
+    , Run(execution)
+    , State(graph.nothing() + 1)
+  {
+  }
+
+  BulkReport make()
+  {
+    this->sortBasins();
+    this->recall();
+    this->decideTets();
+    this->editTriangles(this->Graph.obtuse());
+    this->editTriangles(this->Graph.critical());
+    this->countEdges();
+    this->editTets();
+    return this->Report;
+  }
+
+private:
+  // of a node; whoever asks gets the same, so it does no harm when two threads work it out
+  static constexpr std::uint8_t kStays = 1;
+  static constexpr std::uint8_t kKnown = 2;
+  static constexpr std::uint8_t kWas = 4;
+
+  std::uint8_t state(Index node) const
+  {
+    return std::atomic_ref(const_cast<std::uint8_t&>(this->State[node]))
+      .load(std::memory_order_relaxed);
+  }
+  void setState(Index node, bool was, bool stays)
+  {
+    std::atomic_ref(this->State[node])
+      .store(static_cast<std::uint8_t>((was ? kWas : 0) | (stays ? kStays : 0) | kKnown),
+        std::memory_order_relaxed);
+  }
+
+  /// Calls act(i, part) for the items of the flagged basins, and adds up the parts of the report.
+  template <class Act>
+  void forEach(std::span<const Index> ofBasin, const BasinFlags& flags, Act&& act)
+  {
+    const std::vector<Range> pieces = piecesOf(ofBasin, flags);
+    std::mutex guard;
+    this->Run.parallelFor(pieces.size(), 1,
+      [&](std::size_t begin, std::size_t end)
+      {
+        BulkReport part;
+        for (std::size_t piece = begin; piece < end; ++piece)
+        {
+          const Range range = pieces[piece];
+          for (Index i = range.begin; i < range.end; ++i)
+          {
+            act(i, part);
+          }
+        }
+        const std::scoped_lock lock(guard);
+        this->Report.change += part.change;
+        this->Report.doors += part.doors;
+      });
+  }
+
+  void sortBasins()
+  {
+    const Basins& basins = this->Graph.basins();
+    for (BasinFlags* flags :
+      { &this->Open, &this->Opening, &this->StillOpen, &this->Closing, &this->Concerned })
+    {
+      flags->assign(basins.count(), 0);
+    }
+    for (Index basin = 0; basin < basins.count(); ++basin)
+    {
+      const bool is = this->Choice.holdsBasin[basin] != 0;
+      const bool was = !basins.leavesHull(basin) && this->Kept.keepsTet(basins.sink[basin]);
+      this->Open[basin] = is ? 0 : 1;
+      this->Opening[basin] = was && !is ? 1 : 0;
+      this->StillOpen[basin] = was || is ? 0 : 1;
+      this->Closing[basin] = is && !was ? 1 : 0;
+      this->Concerned[basin] = is && was ? 0 : 1;
+      this->Grows |= is && !was;
+    }
+  }
+
+  bool wasKept(const Nodes& nodes, Index i) const
+  {
+    return &nodes == &this->Graph.tets() ? this->Kept.keepsTet(nodes.name[i])
+                                         : this->Kept.keepsNamed(nodes.name[i]);
+  }
+
+  /// All that is clear without asking the holders. While its sink is kept, all of a basin is.
+  void recall()
+  {
+    std::ranges::fill(this->State, kStays | kKnown | kWas);
+    this->State[this->Graph.nothing()] = kKnown;
+    for (const Nodes* nodes : { &this->Graph.tets(), &this->Graph.obtuse() })
+    {
+      this->fill(*nodes, this->Opening, kWas);
+      this->fill(*nodes, this->StillOpen, 0);
+    }
+    for (const Nodes* nodes :
+      { &this->Graph.tets(), &this->Graph.obtuse(), &this->Graph.critical() })
+    {
+      this->forEach(nodes->ofBasin, this->Closing,
+        [&](Index i, BulkReport&)
+        { this->setState(nodes->first + i, this->wasKept(*nodes, i), true); });
+    }
+    const Nodes& critical = this->Graph.critical();
+    this->forEach(critical.ofBasin, this->Opening,
+      [&](Index i, BulkReport&) { this->recallCritical(i, true); });
+    this->forEach(critical.ofBasin, this->StillOpen,
+      [&](Index i, BulkReport&) { this->recallCritical(i, this->wasKept(critical, i)); });
+  }
+
+  void fill(const Nodes& nodes, const BasinFlags& flags, std::uint8_t state)
+  {
+    for (const Range piece : piecesOf(nodes.ofBasin, flags))
+    {
+      const auto first = this->State.begin() + nodes.first;
+      std::fill(first + piece.begin, first + piece.end, state);
+    }
+  }
+
+  void recallCritical(Index i, bool was)
+  {
+    const Index node = this->Graph.critical().first + i;
+    if (!this->Choice.keepsTriangle(i, was))
+    {
+      this->State[node] = was ? kWas : 0; // what is beside it may keep it
+      return;
+    }
+    this->setState(node, was, true);
+    if (!was)
+    {
+      std::atomic_ref(this->Grows).store(true, std::memory_order_relaxed);
+    }
+  }
+
+  void decideTets()
+  {
+    this->forEach(this->Graph.tets().ofBasin, this->Open,
+      [&](Index i, BulkReport&) { this->decide(this->Graph.tets(), i); });
+  }
+
+  /// Depth first on an explicit stack: the relation is acyclic.
+  void decide(const Nodes& nodes, Index i)
+  {
+    Index unknown = this->evaluate(nodes, i);
+    if (unknown == kNone)
+    {
+      return;
+    }
+    thread_local std::vector<Index> pending;
+    pending.assign({ nodes.first + i, unknown });
+    while (!pending.empty())
+    {
+      const Nodes& kind = this->kindOf(pending.back());
+      unknown = this->evaluate(kind, pending.back() - kind.first);
+      if (unknown == kNone)
+      {
+        pending.pop_back();
+      }
+      else
+      {
+        pending.push_back(unknown);
+      }
+    }
+  }
+
+  const Nodes& kindOf(Index node) const
+  {
+    return node < this->Graph.obtuse().first ? this->Graph.tets()
+      : node < this->Graph.critical().first  ? this->Graph.obtuse()
+                                             : this->Graph.critical();
+  }
+
+  /// Remembers whether a node stays. If that hangs on a holder that is not known yet, returns it.
+  Index evaluate(const Nodes& nodes, Index i)
+  {
+    const std::uint8_t state = this->state(nodes.first + i);
+    if ((state & kKnown) != 0)
+    {
+      return kNone;
+    }
+    const bool was = (state & kWas) != 0 || this->wasKept(nodes, i);
+    bool stays = false;
+    if (was || this->Grows)
+    {
+      Index unknown = kNone;
+      for (const Index holder : nodes.holdersOf(i))
+      {
+        const std::uint8_t answer = this->state(holder);
+        if ((answer & kStays) != 0)
+        {
+          stays = true;
+          break;
+        }
+        unknown = (answer & kKnown) == 0 ? holder : unknown;
+      }
+      if (!stays && unknown != kNone)
+      {
+        return unknown;
+      }
+    }
+    this->setState(nodes.first + i, was, stays);
+    return kNone;
+  }
+
+  void countEdges()
+  {
+    constexpr std::uint8_t kBoth = kStays | kWas;
+    const Nodes& edges = this->Graph.edges();
+    this->forEach(edges.ofBasin, this->Concerned,
+      [&](Index edge, BulkReport& part)
+      {
+        std::uint8_t any = 0;
+        for (const Index holder : edges.holdersOf(edge))
+        {
+          any |= this->State[holder];
+          if ((any & kBoth) == kBoth)
+          {
+            return;
+          }
+        }
+        part.change.edges += (any & kStays ? 1 : 0) - (any & kWas ? 1 : 0);
+      });
+  }
+
+  void editTriangles(const Nodes& nodes)
+  {
+    const bool isCritical = &nodes == &this->Graph.critical();
+    this->forEach(nodes.ofBasin, this->Concerned,
+      [&](Index i, BulkReport& part)
+      {
+        this->decide(nodes, i);
+        const std::uint8_t state = this->State[nodes.first + i];
+        const bool stays = (state & kStays) != 0;
+        const int change = (stays ? 1 : 0) - ((state & kWas) != 0 ? 1 : 0);
+        part.change.triangles += change;
+        part.change.edges += isCritical ? 0 : change;
+        part.doors += isCritical && change < 0 ? 1 : 0;
+        const auto sides = nodes.holdersOf(i).first(2);
+        const bool isSheet =
+          stays && ((this->State[sides[0]] | this->State[sides[1]]) & kStays) == 0;
+        if (isSheet != this->Kept.isSheetNamed(nodes.name[i]))
+        {
+          this->Kept.setSheetNamed(nodes.name[i], isSheet);
+        }
+      });
+  }
+
+  void editTets()
+  {
+    this->forEach(this->Graph.membersOfBasin(), this->Concerned,
+      [&kept = this->Kept, &flow = this->Flow, members = this->Graph.members(),
+        state = std::span<const std::uint8_t>(this->State)](Index i, BulkReport& part)
+      {
+        const CollapseGraph::Member member = members[i];
+        const bool stays = (state[member.node] & kStays) != 0;
+        if (stays == kept.keepsTet(member.tet))
+        {
+          return;
+        }
+        const int change = stays ? 1 : -1;
+        const unsigned attached = flow.attachedFacets(member.tet);
+        const int hasOne = attached != 0 ? 1 : 0;
+        const int hasTwo = (attached & (attached - 1)) != 0 ? 1 : 0;
+        part.change.tetrahedra += change;
+        part.change.triangles += change * (hasOne + hasTwo);
+        part.change.edges += change * hasTwo;
+        if (stays)
+        {
+          kept.keepTet(member.tet);
+        }
+        else
+        {
+          kept.dropTet(member.tet);
+        }
+      });
+  }
+
+  WrapComplex& Kept;
+  const FlowComplex& Flow;
+  const CollapseGraph& Graph;
+  const CriticalChoice& Choice;
+  Execution& Run;
+  BasinFlags Open;      ///< its sink is not to be kept
+  BasinFlags Opening;   ///< and was
+  BasinFlags StillOpen; ///< nor was it
+  BasinFlags Closing;   ///< its sink was not kept and is to be
+  BasinFlags Concerned; ///< its sink is not kept before or after
+  bool Grows = false;   ///< something comes that was not kept
+  LargeArray<std::uint8_t> State;
+  BulkReport Report;
+};
+
+} // namespace
+
+CriticalChoice criticalChoiceOf(const WrapComplex& kept, const Basins& basins)
+{
+  CriticalChoice choice{ std::vector<std::uint8_t>(basins.count(), 0),
+    [](Index, bool was) { return was; } };
+  for (Index basin = 0; basin < basins.count(); ++basin)
+  {
+    choice.holdsBasin[basin] =
+      !basins.leavesHull(basin) && kept.keepsTet(basins.sink[basin]) ? 1 : 0;
+  }
+  return choice;
+}
+
+BulkReport editInBulk(
+  WrapComplex& kept, const CollapseGraph& graph, const CriticalChoice& choice, Execution& execution)
+{
+  return BulkEdit(kept, graph, choice, execution).make();
+}
+
+} // namespace scan

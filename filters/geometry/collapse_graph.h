@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/blocks.h"
+#include "filters/geometry/large_array.h"
+
+#include <span>
+#include <vector>
+
+namespace scan
+{
+
+/// What holds what in the Wrap complex: made once, it tells for every state that follows the flow
+/// what goes, or comes back, with any number of blocks.
+///
+/// The relation of holders (holders.h), made smaller: what hangs on one simplex alone is a *member*
+/// of it (dominators.h). The others are nodes: tetrahedra, free triangles, and critical edges,
+/// which hold nothing. What the Wrap complex does not keep has no place here. Everything is grouped
+/// by basins: while the sink of a basin is kept, all of the basin is.
+class CollapseGraph
+{
+public:
+  /// Nodes of one kind. Their numbers follow those of the kind before.
+  struct Nodes
+  {
+    Index first = 0;               ///< number of the first one
+    LargeArray<Index> name;        ///< tetrahedron or canonical facet; edges have none
+    std::vector<Index> ofBasin;    ///< of each basin the first one, and one past the last
+    LargeArray<Index> firstHolder; ///< of each node, and one past the last
+    std::vector<Index> holders;    ///< numbers of nodes
+
+    Index count() const { return static_cast<Index>(this->firstHolder.size() - 1); }
+    Index end() const { return this->first + this->count(); }
+    std::span<const Index> holdersOf(Index i) const
+    {
+      return { this->holders.data() + this->firstHolder[i],
+        this->holders.data() + this->firstHolder[i + 1] };
+    }
+  };
+
+  /// A tetrahedron of the Wrap complex and the number of the node that it hangs on, or is.
+  struct Member
+  {
+    Index tet;
+    Index node;
+  };
+
+  /// Walks around every edge; about 160 bytes a point. Reports phase "holders".
+  CollapseGraph(const Blocks& blocks, Execution& execution);
+
+  const FlowComplex& flow() const { return this->TheBlocks.flow(); }
+  const Basins& basins() const { return this->TheBlocks.basins(); }
+
+  /// Tetrahedra; those without holders are the sinks.
+  const Nodes& tets() const { return this->Tets; }
+  /// Free triangles that are not critical. The first two holders are those on their sides.
+  const Nodes& obtuse() const { return this->Obtuse; }
+  /// Critical triangles, with two holders: those on their sides.
+  const Nodes& critical() const { return this->Critical; }
+  double radiusOf(Index critical) const { return this->Radius[critical]; }
+  const Nodes& edges() const { return this->Edges; }
+  /// The holder that is never kept.
+  Index nothing() const { return this->Critical.end(); }
+
+  std::span<const Member> members() const { return this->Members; }
+  std::span<const Index> membersOfBasin() const { return this->FirstMember; }
+
+  /// The place in critical() of a door of the blocks.
+  Index indexOfDoor(Index door) const { return this->IndexOfDoor[door]; }
+
+private:
+  class Builder;
+
+  const Blocks& TheBlocks;
+  Nodes Tets;
+  Nodes Obtuse;
+  Nodes Critical;
+  LargeArray<Index> IndexOfDoor;
+  LargeArray<double> Radius; ///< of the critical triangles
+  Nodes Edges;
+  LargeArray<Member> Members;
+  std::vector<Index> FirstMember; ///< of each basin, and one past the last
+};
+
+} // namespace scan
