@@ -4,13 +4,13 @@
 
 #include "filters/base/error.h"
 #include "filters/geometry/collect.h"
-#include "filters/geometry/point_triangle.h"
+#include "filters/geometry/delaunay_predicates.h"
+#include "filters/geometry/facet_search.h"
 #include "filters/geometry/wrap_editor.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace scan
@@ -93,37 +93,50 @@ Holder holderOf(const WrapComplex& kept, const Holder& held)
   return widestAtEdge(kept, { 4 * held.tet + first, apex }, held.tet, kNone);
 }
 
-/// The tetrahedron whose smallest barycentric coordinate at the point is largest: the one around
-/// it, or kNone when the point is outside the convex hull.
-Index tetAround(const DelaunayComplex& complex, const Vec3& point, Execution& execution)
+/// The tetrahedron around a point, kNone outside the convex hull. A walk that crosses any facet
+/// towards the point ends in a Delaunay complex: Edelsbrunner, "An acyclicity theorem for cell
+/// complexes in d dimensions" (1990).
+Index tetAround(const DelaunayComplex& complex, const Vec3& point)
 {
-  struct Candidate
+  const auto isBeyond = [&](Facet facet)
   {
-    Index tet;
-    double depth;
+    const Triangle v = complex.facetVertices(facet);
+    return orientation(complex.points[v[0]], complex.points[v[1]], complex.points[v[2]], point) > 0;
   };
-  const std::vector<Candidate> around = collect<Candidate>(complex.tetCount(), execution,
+  Index tet = 0;
+  for (Index last = kNone; tet != kNone && tet != last;)
+  {
+    last = tet;
+    for (Facet facet = 4 * last; facet < 4 * last + 4 && tet == last; ++facet)
+    {
+      tet = isBeyond(facet) ? complex.neighbour(last, static_cast<int>(facet % 4)) : tet;
+    }
+  }
+  return tet;
+}
+
+/// The critical triangles that are kept in one state and no longer in a later one.
+std::vector<Facet> criticalTrianglesLost(
+  const WrapComplex& before, const WrapComplex& after, Execution& execution)
+{
+  const FlowComplex& flow = before.flow();
+  std::vector<Facet> lost = collect<Facet>(flow.delaunay().tetCount(), execution,
     [&](Index tet, auto& found)
     {
-      const auto& v = complex.tetrahedra[tet];
-      const Vec3& origin = complex.points[v[0]];
-      const Vec3 b = complex.points[v[1]] - origin;
-      const Vec3 c = complex.points[v[2]] - origin;
-      const Vec3 d = complex.points[v[3]] - origin;
-      const Vec3 p = point - origin;
-      const double det = dot(b, cross(c, d));
-      const double lb = dot(p, cross(c, d));
-      const double lc = dot(p, cross(d, b));
-      const double ld = dot(p, cross(b, c));
-      constexpr double kRounding = 1e-9; // of the tetrahedron: a point on a facet is in both
-      const double depth = std::min({ lb, lc, ld, det - lb - lc - ld }) / det;
-      if (depth >= -kRounding)
+      if (before.isEqualAt(after, tet))
       {
-        found.push_back({ tet, depth });
+        return;
+      }
+      for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+      {
+        if (!after.keepsTriangle(facet) && before.keepsTriangle(facet) &&
+          flow.isCriticalTriangle(facet))
+        {
+          found.push_back(flow.delaunay().canonical(facet));
+        }
       }
     });
-  const auto deepest = std::ranges::max_element(around, {}, &Candidate::depth);
-  return deepest == around.end() ? kNone : deepest->tet;
+  return lost;
 }
 
 } // namespace
@@ -214,33 +227,15 @@ BlockName removedBlockAt(const WrapModel& model, const Vec3& point, Execution& e
 {
   const Blocks& blocks = model.scan->blocks(execution);
   const DelaunayComplex& complex = model.scan->delaunay();
-  const Index around = tetAround(complex, point, execution);
+  const Index around = tetAround(complex, point);
   if (around != kNone && blocks.isVolume(blocks.ofTet(around)) &&
     !model.current->keepsTet(blocks.sink(blocks.ofTet(around))))
   {
     return { .isSheet = false, .name = blocks.ofTet(around) };
   }
-  const auto distanceTo = [&](Facet facet)
-  {
-    const Triangle v = complex.facetVertices(facet);
-    return squaredDistance(point, complex.points[v[0]], complex.points[v[1]], complex.points[v[2]]);
-  };
-  BlockName nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (Facet facet = 0; facet < 4 * complex.tetCount(); ++facet)
-  {
-    if (complex.canonical(facet) == facet && model.start->keepsTriangle(facet) &&
-      !model.current->keepsTriangle(facet) && model.scan->flow().isCriticalTriangle(facet))
-    {
-      const double distance2 = distanceTo(facet);
-      if (distance2 < least)
-      {
-        least = distance2;
-        nearest = { .isSheet = true, .name = facet };
-      }
-    }
-  }
-  return nearest;
+  const Facet nearest = nearestFacet(
+    complex, criticalTrianglesLost(*model.start, *model.current, execution), point, execution);
+  return { .isSheet = nearest != kNone, .name = nearest };
 }
 
 } // namespace scan

@@ -30,6 +30,17 @@ struct BoundingBox
     }
   }
 
+  /// Of a point from the box, 0 inside.
+  double squaredDistance(const Vec3& p) const
+  {
+    const auto beyond = [](double at, double from, double to) {
+      return std::max({ from - at, at - to, 0.0 });
+    };
+    const Vec3 d{ beyond(p.x, this->low.x, this->high.x), beyond(p.y, this->low.y, this->high.y),
+      beyond(p.z, this->low.z, this->high.z) };
+    return dot(d, d);
+  }
+
   double diagonal() const
   {
     const Vec3 d = this->high - this->low;

@@ -80,6 +80,11 @@ private:
   static constexpr std::uint8_t kKnown = 2;
   static constexpr std::uint8_t kWas = 4;
 
+  static int changeOf(std::uint8_t state)
+  {
+    return ((state & kStays) != 0 ? 1 : 0) - ((state & kWas) != 0 ? 1 : 0);
+  }
+
   std::uint8_t state(Index node) const
   {
     return std::atomic_ref(const_cast<std::uint8_t&>(this->State[node]))
@@ -277,7 +282,7 @@ private:
             return;
           }
         }
-        part.change.edges += (any & kStays ? 1 : 0) - (any & kWas ? 1 : 0);
+        part.change.edges += changeOf(any);
       });
   }
 
@@ -290,7 +295,7 @@ private:
         this->decide(nodes, i);
         const std::uint8_t state = this->State[nodes.first + i];
         const bool stays = (state & kStays) != 0;
-        const int change = (stays ? 1 : 0) - ((state & kWas) != 0 ? 1 : 0);
+        const int change = changeOf(state);
         part.change.triangles += change;
         part.change.edges += isCritical ? 0 : change;
         part.doors += isCritical && change < 0 ? 1 : 0;
@@ -306,30 +311,31 @@ private:
 
   void editTets()
   {
-    this->forEach(this->Graph.membersOfBasin(), this->Concerned,
-      [&kept = this->Kept, &flow = this->Flow, members = this->Graph.members(),
-        state = std::span<const std::uint8_t>(this->State)](Index i, BulkReport& part)
+    this->forEach(this->Graph.tets().ofBasin, this->Concerned,
+      [&](Index i, BulkReport& part)
       {
-        const CollapseGraph::Member member = members[i];
-        const bool stays = (state[member.node] & kStays) != 0;
-        if (stays == kept.keepsTet(member.tet))
+        const std::uint8_t state = this->State[i];
+        const int change = changeOf(state);
+        if (change == 0)
         {
           return;
         }
-        const int change = stays ? 1 : -1;
-        const unsigned attached = flow.attachedFacets(member.tet);
-        const int hasOne = attached != 0 ? 1 : 0;
-        const int hasTwo = (attached & (attached - 1)) != 0 ? 1 : 0;
-        part.change.tetrahedra += change;
-        part.change.triangles += change * (hasOne + hasTwo);
-        part.change.edges += change * hasTwo;
-        if (stays)
+        for (const Index tet : this->Graph.membersOf(i))
         {
-          kept.keepTet(member.tet);
-        }
-        else
-        {
-          kept.dropTet(member.tet);
+          const unsigned attached = this->Flow.attachedFacets(tet);
+          const int hasOne = attached != 0 ? 1 : 0;
+          const int hasTwo = (attached & (attached - 1)) != 0 ? 1 : 0;
+          part.change.tetrahedra += change;
+          part.change.triangles += change * (hasOne + hasTwo);
+          part.change.edges += change * hasTwo;
+          if (change > 0)
+          {
+            this->Kept.keepTet(tet);
+          }
+          else
+          {
+            this->Kept.dropTet(tet);
+          }
         }
       });
   }

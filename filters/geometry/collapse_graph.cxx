@@ -21,24 +21,24 @@ namespace
 constexpr std::size_t kGrain = 1 << 14;
 constexpr std::size_t kSteps = 4;
 
-/// Items in the order of their basins, and within a basin in their own.
+/// Items sorted by group, and within a group in their own order.
 struct Grouped
 {
-  std::vector<Index> first; ///< of each basin, and one past the last
+  std::vector<Index> first; ///< of each group, and one past the last
   LargeArray<Index> items;
 };
 
-/// @param basinOf (item) -> basin, or kNone to leave the item out
-template <class BasinOf>
-Grouped groupByBasin(std::size_t count, Index basins, BasinOf&& basinOf)
+/// @param groupOf (item) -> group, or kNone to leave the item out
+template <class GroupOf>
+Grouped groupBy(std::size_t count, Index groups, GroupOf&& groupOf)
 {
-  Grouped grouped{ std::vector<Index>(basins + 1, 0), {} };
+  Grouped grouped{ std::vector<Index>(groups + 1, 0), {} };
   for (Index item = 0; item < count; ++item)
   {
-    const Index basin = basinOf(item);
-    if (basin != kNone)
+    const Index group = groupOf(item);
+    if (group != kNone)
     {
-      ++grouped.first[basin + 1];
+      ++grouped.first[group + 1];
     }
   }
   std::partial_sum(grouped.first.begin(), grouped.first.end(), grouped.first.begin());
@@ -46,10 +46,10 @@ Grouped groupByBasin(std::size_t count, Index basins, BasinOf&& basinOf)
   std::vector<Index> place = grouped.first;
   for (Index item = 0; item < count; ++item)
   {
-    const Index basin = basinOf(item);
-    if (basin != kNone)
+    const Index group = groupOf(item);
+    if (group != kNone)
     {
-      grouped.items[place[basin]++] = item;
+      grouped.items[place[group]++] = item;
     }
   }
   return grouped;
@@ -89,16 +89,10 @@ public:
   }
 
 private:
-  template <class BasinOfItem>
-  Grouped group(std::size_t count, BasinOfItem&& basinOf) const
-  {
-    return groupByBasin(count, this->BasinCount, basinOf);
-  }
-
   void numberTets()
   {
     Nodes& nodes = this->Graph.Tets;
-    Grouped own = this->group(this->BasinOf.size(),
+    Grouped own = groupBy(this->BasinOf.size(), this->BasinCount,
       [&](Index tet)
       {
         const Upper upper{ true, tet };
@@ -176,7 +170,7 @@ private:
     for (const bool isObtuse : { true, false })
     {
       Nodes& nodes = isObtuse ? this->Graph.Obtuse : this->Graph.Critical;
-      Grouped grouped = this->group(triangles.size(),
+      Grouped grouped = groupBy(triangles.size(), this->BasinCount,
         [&](Index rank)
         { return this->Flow.isObtuse(triangles[rank]) == isObtuse ? home[rank] : kNone; });
       nodes.first = number;
@@ -219,21 +213,20 @@ private:
 
   void listMembers()
   {
-    Grouped grouped = this->group(this->BasinOf.size(),
-      [&](Index tet) {
-        return this->Found.of({ true, tet }) != kNone ? this->BasinOf[tet] : kNone;
-      });
-    this->Graph.FirstMember = std::move(grouped.first);
-    this->Graph.Members.resize(grouped.items.size());
-    this->Run.parallelFor(grouped.items.size(), kGrain,
+    LargeArray<Index> nodeOf(this->BasinOf.size());
+    this->Run.parallelFor(nodeOf.size(), kGrain,
       [&](std::size_t begin, std::size_t end)
       {
-        for (std::size_t i = begin; i < end; ++i)
+        for (auto tet = static_cast<Index>(begin); tet < end; ++tet)
         {
-          const Index tet = grouped.items[i];
-          this->Graph.Members[i] = { tet, this->numberOf({ true, tet }) };
+          const Index number = this->numberOf({ true, tet });
+          nodeOf[tet] = number == this->Nothing ? kNone : number;
         }
       });
+    Grouped grouped = groupBy(nodeOf.size(), static_cast<Index>(this->Graph.Tets.name.size()),
+      [&](Index tet) { return nodeOf[tet]; });
+    this->Graph.FirstMember = std::move(grouped.first);
+    this->Graph.Members = std::move(grouped.items);
   }
 
   /// Fills in the holders of nodes: addHolders(i, found, begin) appends those of node i.

@@ -40,14 +40,7 @@ public:
     }
   };
 
-  /// A tetrahedron of the Wrap complex and the number of the node that it hangs on, or is.
-  struct Member
-  {
-    Index tet;
-    Index node;
-  };
-
-  /// Walks around every edge; about 160 bytes a point. Reports phase "holders".
+  /// Walks around every edge; about 150 bytes a point. Reports phase "holders".
   CollapseGraph(const Blocks& blocks, Execution& execution);
 
   const FlowComplex& flow() const { return this->TheBlocks.flow(); }
@@ -64,8 +57,12 @@ public:
   /// The holder that is never kept.
   Index nothing() const { return this->Critical.end(); }
 
-  std::span<const Member> members() const { return this->Members; }
-  std::span<const Index> membersOfBasin() const { return this->FirstMember; }
+  /// The tetrahedra that hang on node i of tets(), itself among them.
+  std::span<const Index> membersOf(Index i) const
+  {
+    return { this->Members.data() + this->FirstMember[i],
+      this->Members.data() + this->FirstMember[i + 1] };
+  }
 
   /// The place in critical() of a door of the blocks.
   Index indexOfDoor(Index door) const { return this->IndexOfDoor[door]; }
@@ -80,8 +77,8 @@ private:
   LargeArray<Index> IndexOfDoor;
   LargeArray<double> Radius; ///< of the critical triangles
   Nodes Edges;
-  LargeArray<Member> Members;
-  std::vector<Index> FirstMember; ///< of each basin, and one past the last
+  LargeArray<Index> Members;
+  std::vector<Index> FirstMember; ///< of each node, and one past the last
 };
 
 } // namespace scan

@@ -94,8 +94,9 @@ private:
     {
       return kUnknown;
     }
-    // a triangle has no place for a number
-    return upper.isTet || this->Found.beside(upper.name) == common ? common : self;
+    const bool isPlain = upper.isTet ? common == kNothing || this->Found.at(common).isTet
+                                     : this->Found.beside(upper.name) == common;
+    return isPlain ? common : self;
   }
 
   const FlowComplex& Flow;

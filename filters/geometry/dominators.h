@@ -24,7 +24,9 @@ public:
   /// Linear time; five bytes a tetrahedron.
   Dominators(const FlowComplex& flow, Execution& execution);
 
-  /// Of a tetrahedron or free triangle; itself where it is critical or hangs on several.
+  /// Of a tetrahedron or free triangle; itself where it is critical or hangs on several. Also for
+  /// tetrahedra that hang on a triangle and, few as they are, for triangles that hang on something
+  /// else than what is beside them.
   Code of(Upper upper) const;
 
   Code codeOf(Upper upper) const

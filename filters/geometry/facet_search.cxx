@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/facet_search.h"
 
+#include "filters/geometry/bounding_box.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/point_triangle.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace scan
@@ -12,10 +15,16 @@ namespace scan
 namespace
 {
 
-double squaredDistance(const DelaunayComplex& complex, Facet facet, const Vec3& point)
+/// Of a point from a facet; infinite where that is clearly more than `atMost`.
+double squaredDistance(
+  const DelaunayComplex& complex, Facet facet, const Vec3& point, double atMost)
 {
+  constexpr double kRounding = 1e-9;
   const Triangle v = complex.facetVertices(facet);
-  return squaredDistance(point, complex.points[v[0]], complex.points[v[1]], complex.points[v[2]]);
+  const std::array<Vec3, 3> p{ complex.points[v[0]], complex.points[v[1]], complex.points[v[2]] };
+  return BoundingBox(p).squaredDistance(point) > (1.0 + kRounding) * atMost
+    ? std::numeric_limits<double>::infinity()
+    : squaredDistance(point, p[0], p[1], p[2]);
 }
 
 } // namespace
@@ -38,7 +47,7 @@ Facet nearestFacet(const DelaunayComplex& complex, std::span<const Facet> facets
         const std::size_t count = std::min(kChunk, facets.size() - kChunk * chunk);
         for (const Facet facet : facets.subspan(kChunk * chunk, count))
         {
-          const double distance2 = squaredDistance(complex, facet, point);
+          const double distance2 = squaredDistance(complex, facet, point, nearest[chunk].distance2);
           if (distance2 < nearest[chunk].distance2)
           {
             nearest[chunk] = { facet, distance2 };
@@ -69,7 +78,8 @@ std::vector<Facet> facetsWithin(const DelaunayComplex& complex, std::span<const 
   return collect<Facet>(static_cast<Index>(facets.size()), execution,
     [&](Index i, auto& found)
     {
-      if (squaredDistance(complex, facets[i], point) <= distance * distance)
+      const double most = distance * distance;
+      if (squaredDistance(complex, facets[i], point, most) <= most)
       {
         found.push_back(facets[i]);
       }
