@@ -15,7 +15,6 @@ namespace
 {
 
 using Nodes = CollapseGraph::Nodes;
-using BasinFlags = std::vector<std::uint8_t>;
 
 struct Range
 {
@@ -23,30 +22,40 @@ struct Range
   Index end;
 };
 
-/// Cuts what the flagged basins hold, of items grouped by basin, into pieces of some size.
-std::vector<Range> piecesOf(std::span<const Index> ofBasin, const BasinFlags& flags)
+/// Some basins, as runs of successive ones.
+class BasinRuns
 {
-  constexpr Index kPiece = 1 << 13;
-  std::vector<Range> pieces;
-  for (std::size_t basin = 0; basin < flags.size(); ++basin)
+public:
+  void add(Index basin) // in increasing order
   {
-    const Index last = flags[basin] != 0 ? ofBasin[basin + 1] : ofBasin[basin];
-    for (Index begin = ofBasin[basin], end = 0; begin < last; begin = end)
+    if (this->Runs.empty() || this->Runs.back().end != basin)
     {
-      end = std::min(begin + kPiece, last);
-      const bool isNext = !pieces.empty() && pieces.back().end == begin;
-      if (isNext && end - pieces.back().begin <= kPiece)
+      this->Runs.push_back({ basin, basin });
+    }
+    ++this->Runs.back().end;
+  }
+
+  bool isEmpty() const { return this->Runs.empty(); }
+
+  /// What they hold, of items grouped by basin, in pieces of some size.
+  std::vector<Range> pieces(std::span<const Index> ofBasin) const
+  {
+    constexpr Index kPiece = 1 << 13;
+    std::vector<Range> pieces;
+    for (const Range run : this->Runs)
+    {
+      const Index last = ofBasin[run.end];
+      for (Index begin = ofBasin[run.begin]; begin < last; begin += kPiece)
       {
-        pieces.back().end = end;
-      }
-      else
-      {
-        pieces.push_back({ begin, end });
+        pieces.push_back({ begin, std::min(begin + kPiece, last) });
       }
     }
+    return pieces;
   }
-  return pieces;
-}
+
+private:
+  std::vector<Range> Runs;
+};
 
 class BulkEdit
 {
@@ -99,9 +108,9 @@ private:
 
   /// Calls act(i, part) for the items of the flagged basins, and adds up the parts of the report.
   template <class Act>
-  void forEach(std::span<const Index> ofBasin, const BasinFlags& flags, Act&& act)
+  void forEach(std::span<const Index> ofBasin, const BasinRuns& basins, Act&& act)
   {
-    const std::vector<Range> pieces = piecesOf(ofBasin, flags);
+    const std::vector<Range> pieces = basins.pieces(ofBasin);
     std::mutex guard;
     this->Run.parallelFor(pieces.size(), 1,
       [&](std::size_t begin, std::size_t end)
@@ -124,22 +133,25 @@ private:
   void sortBasins()
   {
     const Basins& basins = this->Graph.basins();
-    for (BasinFlags* flags :
-      { &this->Open, &this->Opening, &this->StillOpen, &this->Closing, &this->Concerned })
-    {
-      flags->assign(basins.count(), 0);
-    }
     for (Index basin = 0; basin < basins.count(); ++basin)
     {
       const bool is = this->Choice.holdsBasin[basin] != 0;
       const bool was = !basins.leavesHull(basin) && this->Kept.keepsTet(basins.sink[basin]);
-      this->Open[basin] = is ? 0 : 1;
-      this->Opening[basin] = was && !is ? 1 : 0;
-      this->StillOpen[basin] = was || is ? 0 : 1;
-      this->Closing[basin] = is && !was ? 1 : 0;
-      this->Concerned[basin] = is && was ? 0 : 1;
-      this->Grows |= is && !was;
+      if (!is)
+      {
+        this->Open.add(basin);
+        (was ? this->Opening : this->StillOpen).add(basin);
+      }
+      else if (!was)
+      {
+        this->Closing.add(basin);
+      }
+      if (!is || !was)
+      {
+        this->Concerned.add(basin);
+      }
     }
+    this->Grows = !this->Closing.isEmpty();
   }
 
   bool wasKept(const Nodes& nodes, Index i) const
@@ -172,9 +184,9 @@ private:
       [&](Index i, BulkReport&) { this->recallCritical(i, this->wasKept(critical, i)); });
   }
 
-  void fill(const Nodes& nodes, const BasinFlags& flags, std::uint8_t state)
+  void fill(const Nodes& nodes, const BasinRuns& basins, std::uint8_t state)
   {
-    for (const Range piece : piecesOf(nodes.ofBasin, flags))
+    for (const Range piece : basins.pieces(nodes.ofBasin))
     {
       const auto first = this->State.begin() + nodes.first;
       std::fill(first + piece.begin, first + piece.end, state);
@@ -345,12 +357,12 @@ private:
   const CollapseGraph& Graph;
   const CriticalChoice& Choice;
   Execution& Run;
-  BasinFlags Open;      ///< its sink is not to be kept
-  BasinFlags Opening;   ///< and was
-  BasinFlags StillOpen; ///< nor was it
-  BasinFlags Closing;   ///< its sink was not kept and is to be
-  BasinFlags Concerned; ///< its sink is not kept before or after
-  bool Grows = false;   ///< something comes that was not kept
+  BasinRuns Open;      ///< its sink is not to be kept
+  BasinRuns Opening;   ///< and was
+  BasinRuns StillOpen; ///< nor was it
+  BasinRuns Closing;   ///< its sink was not kept and is to be
+  BasinRuns Concerned; ///< its sink is not kept before or after
+  bool Grows = false;  ///< something comes that was not kept
   LargeArray<std::uint8_t> State;
   BulkReport Report;
 };

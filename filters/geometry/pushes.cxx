@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
-#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -57,7 +55,7 @@ public:
     , TheBlocks(model.scan->blocks(execution))
     , State(model)
     , Editor(State.editor())
-    , IsReached(TheBlocks.outside(), 0)
+    , Progress(TheBlocks.outside() + 1, Progressed::no)
   {
   }
 
@@ -91,7 +89,7 @@ public:
   {
     for (const BlockName& block : removed)
     {
-      if (block.name != kNone && !block.isSheet && this->IsReached[block.name] == 0)
+      if (block.name != kNone && !block.isSheet && this->Progress[block.name] == Progressed::no)
       {
         this->forEachInReach(block.name, [](Index) {});
       }
@@ -119,58 +117,55 @@ public:
   }
 
 private:
+  enum class Progressed : std::uint8_t
+  {
+    no,
+    upTo,
+    through
+  };
+
   enum class Doors : std::uint8_t
   {
     stay,
     goAlong
   };
 
-  /// Calls act(block) for the block and, deep, all that one passes to from there.
+  /// Calls act(block) for the block and, deep, all that one passes to from there that were not
+  /// reached before. Lists the doors of them through which one passes in one direction at least.
   template <class Act>
   void forEachInReach(Index first, Act&& act)
   {
-    std::vector<Index> pending;
-    const auto reach = [&](Index block)
-    {
-      pending.push_back(block);
-      this->IsReached[block] = 1;
-      this->Reached.push_back(block);
-    };
-    reach(first);
+    std::vector<Index> pending{ first };
     while (!pending.empty())
     {
       const Index block = pending.back();
       pending.pop_back();
       act(block);
-      if (!this->Options.deep)
+      if (std::exchange(this->Progress[block], Progressed::through) == Progressed::through)
       {
         continue;
       }
-      this->forEachPassed(block,
-        [&](Index d)
-        {
-          const Door& door = this->TheBlocks.doors()[d];
-          const Index other = door.a == block ? door.b : door.a;
-          if (this->TheBlocks.isVolume(other) &&
-            this->TheBlocks.passes(block, door, this->Options.reach) && this->IsReached[other] == 0)
-          {
-            reach(other);
-          }
-        });
-    }
-  }
-
-  /// Calls act(d) for the doors of a block through which one passes in one direction at least.
-  template <class Act>
-  void forEachPassed(Index block, Act&& act) const
-  {
-    for (const Index d : this->TheBlocks.doorsOf(block))
-    {
-      if (!this->TheBlocks.passes(this->TheBlocks.doors()[d], this->Options.reach))
+      this->Reached.push_back(block);
+      for (const Index d : this->TheBlocks.doorsOf(block))
       {
-        return;
+        const Door& door = this->TheBlocks.doors()[d];
+        if (!this->TheBlocks.passes(door, this->Options.reach))
+        {
+          break; // nor through those that follow
+        }
+        const Index other = door.a == block ? door.b : door.a;
+        Progressed& progress = this->Progress[other];
+        if (progress != Progressed::through)
+        {
+          this->DoorsInReach.push_back(d);
+        }
+        if (this->Options.deep && progress == Progressed::no && this->TheBlocks.isVolume(other) &&
+          this->TheBlocks.passes(block, door, this->Options.reach))
+        {
+          progress = Progressed::upTo;
+          pending.push_back(other);
+        }
       }
-      act(d);
     }
   }
 
@@ -228,11 +223,12 @@ private:
 
   void removeDoors()
   {
+    const std::vector<BlockName> earlier = this->bareDoors();
     if (this->collapse(Doors::goAlong) == Doors::stay)
     {
       this->removeBareDoors();
     }
-    this->nameEarlierDoors();
+    this->nameEarlierDoors(earlier);
   }
 
   void removeBareDoors()
@@ -241,40 +237,46 @@ private:
     do // without a door more may collapse, and bare more doors
     {
       before = this->Report.doors;
-      for (const Index block : this->Reached)
+      for (const Index d : this->DoorsInReach)
       {
-        this->forEachPassed(
-          block, [&](Index d) { this->removeIfBare(this->TheBlocks.doors()[d]); });
+        const Facet triangle = this->TheBlocks.doors()[d].triangle;
+        if (this->State.kept().isSheetNamed(triangle))
+        {
+          this->Editor.removeSheet(triangle);
+          ++this->Report.doors;
+        }
       }
       this->collapse(Doors::stay);
     } while (this->Report.doors != before);
   }
 
-  /// Walls between blocks that were gone before belong to none that goes now: they are blocks of
-  /// their own, so that a pull brings them back.
-  void nameEarlierDoors()
+  /// Walls that stand between blocks that were gone before this push.
+  std::vector<BlockName> bareDoors() const
   {
-    std::vector<BlockName> named;
-    for (const Index block : this->Reached)
+    std::vector<BlockName> bare;
+    for (const Index d : this->DoorsInReach)
     {
-      this->forEachPassed(block,
-        [&](Index d)
-        {
-          const Facet triangle = this->TheBlocks.doors()[d].triangle;
-          if (this->Model.current->isSheet(triangle) && !this->State.kept().keepsTriangle(triangle))
-          {
-            named.push_back({ .isSheet = true, .name = triangle });
-          }
-        });
+      const Facet triangle = this->TheBlocks.doors()[d].triangle;
+      if (this->Model.current->isSheetNamed(triangle) && this->State.kept().isSheetNamed(triangle))
+      {
+        bare.push_back({ .isSheet = true, .name = triangle });
+      }
     }
-    std::vector<BlockName>& blocks = this->Report.blocks;
-    std::set<BlockName> marked; // asked for, and no doors to the report
-    std::ranges::copy_if(blocks, std::inserter(marked, marked.end()), &BlockName::isSheet);
-    std::erase_if(named, [&](const BlockName& name) { return marked.contains(name); });
-    std::ranges::sort(named);
-    named.erase(std::unique(named.begin(), named.end()), named.end());
-    this->Report.doors -= static_cast<Index>(named.size());
-    blocks.insert(blocks.end(), named.begin(), named.end());
+    return bare;
+  }
+
+  /// Those that went belong to no block that goes now: they are blocks of their own, so that a pull
+  /// brings them back.
+  void nameEarlierDoors(std::span<const BlockName> bare)
+  {
+    for (const BlockName& door : bare)
+    {
+      if (!this->State.kept().keepsTriangle(door.name))
+      {
+        this->Report.blocks.push_back(door);
+        --this->Report.doors;
+      }
+    }
   }
 
   /// What edits these volumes at once, null where that is not worth it, or not possible.
@@ -286,17 +288,6 @@ private:
       tets += this->TheBlocks.tetCount(volume);
     }
     return this->State.kept().followsFlow() ? this->Model.scan->graphFor(tets, this->Run) : nullptr;
-  }
-
-  /// Per critical triangle of the graph: 1 for those that go as soon as they are bare.
-  std::vector<std::uint8_t> doorsInReach(const CollapseGraph& graph) const
-  {
-    std::vector<std::uint8_t> opened(graph.critical().count(), 0);
-    for (const Index block : this->Reached)
-    {
-      this->forEachPassed(block, [&](Index d) { opened[graph.indexOfDoor(d)] = 1; });
-    }
-    return opened;
   }
 
   /// Everything that collapses without the blocks that are going; in bulk the doors go along, if
@@ -319,23 +310,18 @@ private:
     {
       choice.holdsBasin[volume] = 0;
     }
-    std::vector<std::uint8_t> opened;
+    std::vector<std::uint8_t> opened; // per critical triangle of the graph
     if (doors == Doors::goAlong)
     {
-      opened = this->doorsInReach(*graph);
+      opened.resize(graph->critical().count(), 0);
+      for (const Index d : this->DoorsInReach)
+      {
+        opened[graph->indexOfDoor(d)] = 1;
+      }
       choice.keepsTriangle = [&](Index i, bool was) { return was && opened[i] == 0; };
     }
     this->Report.doors += this->Editor.choose(*graph, choice, this->Run);
     return doors;
-  }
-
-  void removeIfBare(const Door& door)
-  {
-    if (this->State.kept().isSheet(door.triangle))
-    {
-      this->Editor.removeSheet(door.triangle);
-      ++this->Report.doors;
-    }
   }
 
   /// What may be added with a block: what was there at the start, if the block was.
@@ -403,9 +389,10 @@ private:
   const Blocks& TheBlocks;
   ModelEdit State;
   WrapEditor& Editor;
-  std::vector<std::uint8_t> IsReached; ///< per block
-  std::vector<Index> Reached;          ///< some perhaps more than once
-  std::vector<Index> Going;            ///< volumes that are still to be removed
+  std::vector<Progressed> Progress; ///< per block
+  std::vector<Index> Reached;       ///< blocks
+  std::vector<Index> DoorsInReach;  ///< of them
+  std::vector<Index> Going;         ///< volumes that are still to be removed
   PushReport Report;
 };
 

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a person waits for at a pick, in milliseconds, on a plate with a hole: pushes, pulls, the
-// size slider, the nearest triangle. One thread and two.
+// What a person waits for at a pick, in milliseconds, on a classic wrap that is prepared for edits:
+// pushes, pulls, the size slider, the triangle and the block at a point. Two threads and one.
 //
 //   push_bench [POINTS]      default: 1000000
 
+#include "filters/geometry/block_marks.h"
 #include "filters/geometry/facet_search.h"
 #include "filters/geometry/pushes.h"
 #include "filters/geometry/wrap.h"
+#include "tests/bench/knot_scan.h"
 
 #include <algorithm>
 #include <array>
@@ -135,13 +137,17 @@ struct Bench
 
   void pick(const std::vector<Vec3>& points) const
   {
-    std::vector<double> times;
+    std::vector<double> triangle;
+    std::vector<double> block;
     for (std::size_t i = 0; i < 20; ++i)
     {
-      times.push_back(milliseconds([&]
+      triangle.push_back(milliseconds([&]
         { nearestFacet(this->model.scan->delaunay(), this->facets, points[i], this->execution); }));
+      block.push_back(
+        milliseconds([&] { removedBlockAt(this->model, points[i], this->execution); }));
     }
-    print("nearest triangle", times, 0.0);
+    print("triangle at a point", triangle, 0.0);
+    print("removed block at a point", block, 0.0);
   }
 };
 
@@ -157,26 +163,31 @@ Facet largestHollow(const Bench& bench)
     });
 }
 
-void run(const std::vector<Vec3>& points, unsigned threads)
+void run(const char* name, const std::vector<Vec3>& points, unsigned threads)
 {
   Execution execution(threads);
   std::shared_ptr<const ScanComplex> scan;
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  std::printf("%zu points, %u threads\n", points.size(), threads);
+  std::printf("%s, %zu points, %u threads\n", name, points.size(), threads);
   std::printf("  complex %.0f ms\n",
     milliseconds([&] { scan = std::make_shared<const ScanComplex>(points, execution); }));
-  WrapResult wrapped = wrap(scan, { .mode = WrapOptions::Mode::classic }, execution);
-  std::printf("  blocks %.0f ms\n", milliseconds([&] { scan->blocks(execution); }));
+  WrapResult wrapped;
+  std::printf("  wrap %.0f ms\n",
+    milliseconds([&] { wrapped = wrap(scan, { .mode = WrapOptions::Mode::classic }, execution); }));
+  std::printf("  prepare edits %.0f ms\n", milliseconds([&] { scan->prepareEdits(execution); }));
   const Bench bench{ std::move(wrapped.model), std::move(wrapped.facets), execution };
   std::mt19937_64 random(1);
-  std::vector<Facet> marks(100);
+  std::vector<Facet> marks(200);
   std::ranges::generate(marks, [&] { return bench.facets[random() % bench.facets.size()]; });
   bench.push("push shallow", marks, false);
-  marks.resize(10);
   bench.push("push deep", marks, true);
-  bench.push("push deep, largest hollow", { largestHollow(bench) }, true);
+  bench.push("push deep, largest hollow", std::vector<Facet>(20, largestHollow(bench)), true);
   bench.slide();
   bench.pick(points);
+  print("whole surface, unsplit",
+    { milliseconds([&] { surfaceOf(bench.model, false, execution); }) }, 0.0);
+  print("whole surface, split", { milliseconds([&] { surfaceOf(bench.model, true, execution); }) },
+    0.0);
 }
 
 } // namespace
@@ -186,7 +197,8 @@ int main(int argc, char** argv)
   const std::size_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
   for (const unsigned threads : { 2U, 1U })
   {
-    run(platePoints(std::max<std::size_t>(count, 1000)), threads);
+    run("knot", bench::knotScan(std::max<std::size_t>(count, 1000)), threads);
+    run("plate", platePoints(std::max<std::size_t>(count, 1000)), threads);
   }
   return 0;
 }

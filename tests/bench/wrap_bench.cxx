@@ -7,6 +7,8 @@
 //   wrap_bench [--runs=N] [--threads=N] [POINTS ...]
 //   default: 3 runs; one thread and two; 200000 1000000 3000000
 
+#include "tests/bench/knot_scan.h"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <tbb/global_control.h>
@@ -20,8 +22,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <numbers>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,53 +43,12 @@ double now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A bumpy tube around a trefoil knot, points in random order with noise of a tenth of the mean
-/// spacing along the normal: a scan without any favourable order or regularity.
-std::vector<Point> knotScan(std::size_t count)
-{
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  constexpr double kArea = 8700.0; // of the tube, about
-  std::mt19937_64 random(1998);
-  const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
-  const auto centre = [](double t)
-  {
-    const double r = 10.0 * (2.0 + std::cos(3.0 * t));
-    return Kernel::Vector_3(r * std::cos(2.0 * t), r * std::sin(2.0 * t), 10.0 * std::sin(3.0 * t));
-  };
-  const double noise = 0.1 * std::sqrt(kArea / static_cast<double>(count));
-  std::vector<Point> points;
-  points.reserve(count);
-  while (points.size() < count)
-  {
-    const double t = kTurn * uniform();
-    const double angle = kTurn * uniform();
-    constexpr double kStep = 1e-4;
-    const auto tangent = (centre(t + kStep) - centre(t - kStep)) / (2.0 * kStep);
-    const auto bend = centre(t + kStep) + centre(t - kStep) - 2.0 * centre(t);
-    auto binormal = CGAL::cross_product(tangent, bend);
-    auto normal = CGAL::cross_product(binormal, tangent);
-    binormal = binormal / std::sqrt(binormal.squared_length());
-    normal = normal / std::sqrt(normal.squared_length());
-    const double radius =
-      4.0 * (1.0 + 0.1 * std::sin(9.0 * t) + 0.06 * std::sin(7.0 * angle + 23.0 * t));
-    constexpr double kLongestTangent = 69.0; // rejection keeps the density even along the knot
-    if (uniform() * kLongestTangent > std::sqrt(tangent.squared_length()))
-    {
-      continue;
-    }
-    const double r = radius + noise * (uniform() + uniform() + uniform() - 1.5) * 2.0;
-    points.push_back(CGAL::ORIGIN +
-      (centre(t) + normal * (r * std::cos(angle)) + binormal * (r * std::sin(angle))));
-  }
-  return points;
-}
-
-void writePoints(const fs::path& file, const std::vector<Point>& points)
+void writePoints(const fs::path& file, const std::vector<scan::Vec3>& points)
 {
   std::FILE* out = std::fopen(file.c_str(), "w");
-  for (const Point& p : points)
+  for (const scan::Vec3& p : points)
   {
-    std::fprintf(out, "%.6f %.6f %.6f\n", p.x(), p.y(), p.z());
+    std::fprintf(out, "%.6f %.6f %.6f\n", p.x, p.y, p.z);
   }
   std::fclose(out);
 }
@@ -264,7 +223,7 @@ void benchmark(const Options& options, const fs::path& folder)
     "peak MB", "us a point");
   for (const std::size_t size : options.sizes)
   {
-    writePoints(scan, knotScan(size));
+    writePoints(scan, scan::bench::knotScan(size));
     std::vector<std::vector<Contestant>> groups{ contestants(1, scan, folder / "mesh.stl"),
       contestants(options.threads, scan, folder / "mesh.stl") };
     for (int run = 0; run < options.runs; ++run) // in turn, so that a slow spell hits all alike
