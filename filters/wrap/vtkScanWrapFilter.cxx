@@ -27,6 +27,7 @@ void vtkScanWrapFilter::PrintSelf(ostream& os, vtkIndent indent)
                                 : "decide")
      << "\n";
   os << indent << "Fit: " << (this->Fit == ROBUST ? "robust" : "all") << "\n";
+  os << indent << "PrepareEdits: " << (this->PrepareEdits ? "true" : "false") << "\n";
   os << indent << "Manifold: " << (this->Manifold ? "true" : "false") << "\n";
 }
 
@@ -71,11 +72,20 @@ void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
   {
     phases.push_back({ "blocks", 1.0 });
   }
+  if (withBlocks && this->PrepareEdits)
+  {
+    phases.push_back({ "holders", 2.0 });
+  }
   execution.plan(phases);
 
   scan::WrapResult result =
     scan ? scan::wrap(scan, options, execution) : scan::wrap(points, options, execution);
   this->Report = result.report;
+  const std::shared_ptr<const scan::ScanComplex> wrapped = result.model.scan;
   vtkScanWrapData::SafeDownCast(&output)->SetWrap(
     std::move(result), std::move(ids), withBlocks, execution);
+  if (withBlocks && this->PrepareEdits)
+  {
+    wrapped->prepareEdits(execution);
+  }
 }
