@@ -3,10 +3,12 @@
 #include "filters/geometry/blocks.h"
 
 #include "filters/geometry/collect.h"
+#include "filters/geometry/parallel_sort.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -65,7 +67,7 @@ Blocks::Blocks(const FlowComplex& flow, const Basins& basins, Execution& executi
   execution.step("blocks", 1, 3);
   this->sortDoors(execution);
   execution.step("blocks", 2, 3);
-  this->measureOpenings();
+  this->measureOpenings(execution);
   execution.step("blocks", 3, 3);
 }
 
@@ -101,14 +103,14 @@ void Blocks::sortDoors(Execution& execution)
 
 /// Kruskal over the doors from wide to narrow: where two rooms meet, the smaller one dies
 /// (persistence); where one of them is the outside, the other opens.
-void Blocks::measureOpenings()
+void Blocks::measureOpenings(Execution& execution)
 {
   std::vector<std::pair<double, Index>> byRadius(this->Doors.size()); // negative: wide first
   for (Index d = 0; d < byRadius.size(); ++d)
   {
     byRadius[d] = { -this->Doors[d].radius, d };
   }
-  std::ranges::sort(byRadius);
+  sortInParallel(byRadius, execution, std::less<>());
 
   UnionFind rooms(this->Size.size());
   std::vector<Index> next(this->Size.size()); // the members of a room in a ring

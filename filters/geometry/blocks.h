@@ -79,7 +79,7 @@ public:
 
 private:
   void sortDoors(Execution& execution);
-  void measureOpenings();
+  void measureOpenings(Execution& execution);
 
   const FlowComplex& Flow;
   const Basins& TheBasins;

@@ -5,6 +5,7 @@
 #include "filters/geometry/collect.h"
 #include "filters/geometry/cut_cover.h"
 #include "filters/geometry/incidence.h"
+#include "filters/geometry/parallel_sort.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ std::vector<Door> doorsByRadius(const FlowComplex& flow, const Basins& basins,
           walls[w].facet, a, b });
       }
     });
-  std::sort(doors.begin(), doors.end(),
+  sortInParallel(doors, execution,
     [](const Door& p, const Door& q)
     { return p.radius2 != q.radius2 ? p.radius2 > q.radius2 : p.facet < q.facet; });
   return doors;

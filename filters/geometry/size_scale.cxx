@@ -3,6 +3,7 @@
 #include "filters/geometry/size_scale.h"
 
 #include "filters/geometry/collect.h"
+#include "filters/geometry/parallel_sort.h"
 #include "filters/geometry/scan_complex.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ SizeScale::SizeScale(const ScanComplex& scan, const Blocks& blocks, Execution& e
   const auto wideFirst = [](const Entry& a, const Entry& b)
   { return a.radius != b.radius ? a.radius > b.radius : a.name < b.name; };
   std::ranges::sort(this->Openings, wideFirst);
-  std::ranges::sort(this->Triangles, wideFirst);
+  sortInParallel(this->Triangles, execution, wideFirst);
 }
 
 void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double from, double to,
