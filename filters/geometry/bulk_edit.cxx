@@ -152,12 +152,7 @@ private:
       }
     }
     this->Grows = !this->Closing.isEmpty();
-  }
-
-  bool wasKept(const Nodes& nodes, Index i) const
-  {
-    return &nodes == &this->Graph.tets() ? this->Kept.keepsTet(nodes.name[i])
-                                         : this->Kept.keepsNamed(nodes.name[i]);
+    this->Shrinks = !this->Opening.isEmpty();
   }
 
   /// All that is clear without asking the holders. While its sink is kept, all of a basin is.
@@ -165,23 +160,42 @@ private:
   {
     std::ranges::fill(this->State, kStays | kKnown | kWas);
     this->State[this->Graph.nothing()] = kKnown;
-    for (const Nodes* nodes : { &this->Graph.tets(), &this->Graph.obtuse() })
+    const Nodes& tets = this->Graph.tets();
+    const auto recallTets = [&](const BasinRuns& basins, std::uint8_t state)
     {
-      this->fill(*nodes, this->Opening, kWas);
-      this->fill(*nodes, this->StillOpen, 0);
-    }
-    for (const Nodes* nodes :
-      { &this->Graph.tets(), &this->Graph.obtuse(), &this->Graph.critical() })
+      this->forEach(tets.ofBasin, basins,
+        [&, state](Index i, BulkReport&)
+        {
+          const bool was = this->Kept.keepsTet(tets.name[i]);
+          this->State[i] = static_cast<std::uint8_t>(state | (was ? kWas : 0));
+        });
+    };
+    this->fill(tets, this->Opening, kWas);
+    recallTets(this->StillOpen, 0);
+    recallTets(this->Closing, kStays | kKnown);
+
+    const Nodes& obtuse = this->Graph.obtuse();
+    this->fill(obtuse, this->Opening, kWas);
+    this->fill(obtuse, this->StillOpen, 0); // found out when asked
+    const Nodes& critical = this->Graph.critical();
+    for (const Nodes* nodes : { &obtuse, &critical })
     {
       this->forEach(nodes->ofBasin, this->Closing,
         [&](Index i, BulkReport&)
         { this->setState(nodes->first + i, this->wasKept(*nodes, i), true); });
     }
-    const Nodes& critical = this->Graph.critical();
     this->forEach(critical.ofBasin, this->Opening,
       [&](Index i, BulkReport&) { this->recallCritical(i, true); });
     this->forEach(critical.ofBasin, this->StillOpen,
       [&](Index i, BulkReport&) { this->recallCritical(i, this->wasKept(critical, i)); });
+  }
+
+  /// Of a triangle, once that is clear of the tetrahedra.
+  bool wasKept(const Nodes& nodes, Index i) const
+  {
+    const auto sides = nodes.holdersOf(i).first(2);
+    return ((this->state(sides[0]) | this->state(sides[1])) & kWas) != 0 ||
+      this->Kept.isSheetNamed(nodes.name[i]);
   }
 
   void fill(const Nodes& nodes, const BasinRuns& basins, std::uint8_t state)
@@ -196,15 +210,18 @@ private:
   void recallCritical(Index i, bool was)
   {
     const Index node = this->Graph.critical().first + i;
-    if (!this->Choice.keepsTriangle(i, was))
+    const bool stays = this->Choice.keepsTriangle(i, was);
+    if (stays)
+    {
+      this->setState(node, was, true);
+    }
+    else
     {
       this->State[node] = was ? kWas : 0; // what is beside it may keep it
-      return;
     }
-    this->setState(node, was, true);
-    if (!was)
+    if (stays != was)
     {
-      std::atomic_ref(this->Grows).store(true, std::memory_order_relaxed);
+      std::atomic_ref(stays ? this->Grows : this->Shrinks).store(true, std::memory_order_relaxed);
     }
   }
 
@@ -254,10 +271,12 @@ private:
     {
       return kNone;
     }
-    const bool was = (state & kWas) != 0 || this->wasKept(nodes, i);
-    bool stays = false;
-    if (was || this->Grows)
+    const bool isTet = &nodes == &this->Graph.tets(); // of these it is known
+    const bool was = (state & kWas) != 0 || (!isTet && this->wasKept(nodes, i));
+    bool stays = was;
+    if (was ? this->Shrinks : this->Grows)
     {
+      stays = false;
       Index unknown = kNone;
       for (const Index holder : nodes.holdersOf(i))
       {
@@ -357,12 +376,13 @@ private:
   const CollapseGraph& Graph;
   const CriticalChoice& Choice;
   Execution& Run;
-  BasinRuns Open;      ///< its sink is not to be kept
-  BasinRuns Opening;   ///< and was
-  BasinRuns StillOpen; ///< nor was it
-  BasinRuns Closing;   ///< its sink was not kept and is to be
-  BasinRuns Concerned; ///< its sink is not kept before or after
-  bool Grows = false;  ///< something comes that was not kept
+  BasinRuns Open;       ///< its sink is not to be kept
+  BasinRuns Opening;    ///< and was
+  BasinRuns StillOpen;  ///< nor was it
+  BasinRuns Closing;    ///< its sink was not kept and is to be
+  BasinRuns Concerned;  ///< its sink is not kept before or after
+  bool Grows = false;   ///< something comes that was not kept
+  bool Shrinks = false; ///< something goes
   LargeArray<std::uint8_t> State;
   BulkReport Report;
 };

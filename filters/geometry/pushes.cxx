@@ -287,7 +287,7 @@ private:
     {
       tets += this->TheBlocks.tetCount(volume);
     }
-    return this->State.kept().followsFlow() ? this->Model.scan->graphFor(tets, this->Run) : nullptr;
+    return this->Model.scan->graphFor(this->State.kept(), tets, this->Run);
   }
 
   /// Everything that collapses without the blocks that are going; in bulk the doors go along, if

@@ -33,11 +33,25 @@ const SizeScale& ScanComplex::sizes(Execution& execution) const
   return *this->TheSizes;
 }
 
-const CollapseGraph* ScanComplex::graphFor(std::int64_t tets, Execution& execution) const
+const CollapseGraph* ScanComplex::graphFor(
+  const WrapComplex& kept, std::int64_t tets, Execution& execution) const
 {
-  constexpr std::int64_t kTetsAPass = 512;    // a pass over that many costs what editing one does
+  // measured: what it costs to look at one instead of editing it
+  constexpr std::int64_t kAPass = 512;        // of all
+  constexpr std::int64_t kOpen = 16;          // of those in blocks that are gone
   constexpr std::int64_t kPartOfTheGraph = 2; // to edit this part of all takes as long as the graph
-  if (kTetsAPass * tets <= this->Delaunay.tetCount())
+  std::int64_t cost = this->Delaunay.tetCount() / kAPass;
+  if (!kept.followsFlow() || tets <= cost)
+  {
+    return nullptr;
+  }
+  const Blocks& blocks = this->blocks(execution);
+  for (Index block = 0; block < blocks.outside(); ++block)
+  {
+    const bool isOpen = blocks.isVolume(block) && !kept.keepsTet(blocks.sink(block));
+    cost += isOpen ? blocks.tetCount(block) / kOpen : 0;
+  }
+  if (tets <= cost)
   {
     return nullptr;
   }

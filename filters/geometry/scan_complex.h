@@ -7,6 +7,7 @@
 #include "filters/geometry/blocks.h"
 #include "filters/geometry/collapse_graph.h"
 #include "filters/geometry/size_scale.h"
+#include "filters/geometry/wrap_complex.h"
 
 #include <cstdint>
 #include <memory>
@@ -34,10 +35,12 @@ public:
   const Blocks& blocks(Execution& execution) const;
   const SizeScale& sizes(Execution& execution) const;
 
-  /// What edits many tetrahedra at once, for an edit of so many of them; null where one by one is
-  /// the shorter way. The graph is made once such edits have taken about as long as that does, or
-  /// by prepareEdits(). Reports phase "holders".
-  const CollapseGraph* graphFor(std::int64_t tets, Execution& execution) const;
+  /// What edits a state at once, for an edit that costs as much as so many tetrahedra one by one;
+  /// null where that is the shorter way, or the state does not follow the flow. The graph is made
+  /// once such edits have taken about as long as that does, or by prepareEdits(). Reports phase
+  /// "holders".
+  const CollapseGraph* graphFor(
+    const WrapComplex& kept, std::int64_t tets, Execution& execution) const;
 
   /// Makes all that edits need, so that the first one answers as fast as the others.
   void prepareEdits(Execution& execution) const;

@@ -69,11 +69,10 @@ void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double fr
     tets += this->TheBlocks.tetCount(entry.name);
   }
   // a triangle that goes costs as much as some tetrahedra
-  constexpr std::int64_t kTetsATriangle = 4;
+  constexpr std::int64_t kTetsATriangle = 8;
   const auto triangles = between(this->Triangles, std::max(from, to), std::min(from, to));
   tets += kTetsATriangle * static_cast<std::int64_t>(triangles.size());
-  const CollapseGraph* graph =
-    complex.followsFlow() ? this->Scan.graphFor(tets, execution) : nullptr;
+  const CollapseGraph* graph = this->Scan.graphFor(complex, tets, execution);
   if (graph != nullptr)
   {
     editor.choose(*graph, this->choiceOf(*graph, complex, from, to), execution);
