@@ -68,8 +68,8 @@ void SizeScale::resize(WrapEditor& editor, const WrapComplex& complex, double fr
   {
     tets += this->TheBlocks.tetCount(entry.name);
   }
-  // a triangle that goes costs as much as some tetrahedra
-  constexpr std::int64_t kTetsATriangle = 8;
+  // a triangle costs as much as so many tetrahedra, with what collapses after it
+  constexpr std::int64_t kTetsATriangle = 16;
   const auto triangles = between(this->Triangles, std::max(from, to), std::min(from, to));
   tets += kTetsATriangle * static_cast<std::int64_t>(triangles.size());
   const CollapseGraph* graph = this->Scan.graphFor(complex, tets, execution);
