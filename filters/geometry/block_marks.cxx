@@ -83,14 +83,11 @@ Holder holderOf(const WrapComplex& kept, const Holder& held)
       widest.tet = beyond;
     }
   }
-  if (widest.tet != kNone || std::popcount(attached) < 2)
+  if (widest.tet != kNone || !flow.hasTwoAttached(held.tet))
   {
     return widest;
   }
-  const auto first = static_cast<unsigned>(std::countr_zero(attached));
-  const auto second = static_cast<unsigned>(std::countr_zero(attached & (attached - 1)));
-  const Index apex = complex.tetrahedra[held.tet][second];
-  return widestAtEdge(kept, { 4 * held.tet + first, apex }, held.tet, kNone);
+  return widestAtEdge(kept, sharedEdge(flow, held.tet), held.tet, kNone);
 }
 
 /// The tetrahedron around a point, kNone outside the convex hull. A walk that crosses any facet
@@ -103,7 +100,7 @@ Index tetAround(const DelaunayComplex& complex, const Vec3& point)
     const Triangle v = complex.facetVertices(facet);
     return orientation(complex.points[v[0]], complex.points[v[1]], complex.points[v[2]], point) > 0;
   };
-  Index tet = 0;
+  Index tet = std::isfinite(point.x + point.y + point.z) ? 0 : kNone;
   for (Index last = kNone; tet != kNone && tet != last;)
   {
     last = tet;
@@ -120,7 +117,7 @@ std::vector<Facet> criticalTrianglesLost(
   const WrapComplex& before, const WrapComplex& after, Execution& execution)
 {
   const FlowComplex& flow = before.flow();
-  std::vector<Facet> lost = collect<Facet>(flow.delaunay().tetCount(), execution,
+  return collect<Facet>(flow.delaunay().tetCount(), execution,
     [&](Index tet, auto& found)
     {
       if (before.isEqualAt(after, tet))
@@ -129,14 +126,15 @@ std::vector<Facet> criticalTrianglesLost(
       }
       for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
       {
-        if (!after.keepsTriangle(facet) && before.keepsTriangle(facet) &&
-          flow.isCriticalTriangle(facet))
+        // of two tetrahedra that changed the one that names the triangle speaks for both
+        const Facet name = flow.delaunay().canonical(facet);
+        if ((name == facet || before.isEqualAt(after, name / 4)) && !after.keepsTriangle(name) &&
+          before.keepsTriangle(name) && flow.isCriticalTriangle(name))
         {
-          found.push_back(flow.delaunay().canonical(facet));
+          found.push_back(name);
         }
       }
     });
-  return lost;
 }
 
 } // namespace
@@ -166,8 +164,7 @@ bool isKept(const WrapComplex& complex, const Blocks& blocks, const BlockName& b
 double sizeOf(const Blocks& blocks, const BlockName& block)
 {
   const DelaunayComplex& complex = blocks.flow().delaunay();
-  return block.isSheet ? std::sqrt(circumradiusSquared(complex, complex.facetVertices(block.name)))
-                       : blocks.size(block.name);
+  return block.isSheet ? circumradius(complex, block.name) : blocks.size(block.name);
 }
 
 Keeper keeperBehind(const WrapModel& model, const Blocks& blocks, Facet triangle)

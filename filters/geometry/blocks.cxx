@@ -34,8 +34,7 @@ std::vector<Door> findDoors(const Blocks& blocks, Execution& execution)
         const Index b = beyond == kNone ? blocks.outside() : blocks.ofTet(beyond);
         if (a != b && complex.canonical(facet) == facet && flow.isCriticalTriangle(facet))
         {
-          found.push_back(
-            { facet, a, b, std::sqrt(circumradiusSquared(complex, complex.facetVertices(facet))) });
+          found.push_back({ facet, a, b, circumradius(complex, facet) });
         }
       }
     });

@@ -3,9 +3,9 @@
 #include "filters/geometry/bulk_edit.h"
 
 #include "filters/geometry/large_array.h"
+#include "filters/geometry/relaxed.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <span>
 
@@ -75,7 +75,8 @@ public:
   {
     this->sortBasins();
     this->recall();
-    this->decideTets();
+    this->decideAll(this->Graph.tets());
+    this->decideAll(this->Graph.obtuse());
     this->editTriangles(this->Graph.obtuse());
     this->editTriangles(this->Graph.critical());
     this->countEdges();
@@ -94,16 +95,11 @@ private:
     return ((state & kStays) != 0 ? 1 : 0) - ((state & kWas) != 0 ? 1 : 0);
   }
 
-  std::uint8_t state(Index node) const
-  {
-    return std::atomic_ref(const_cast<std::uint8_t&>(this->State[node]))
-      .load(std::memory_order_relaxed);
-  }
+  std::uint8_t state(Index node) const { return loadRelaxed(this->State[node]); }
   void setState(Index node, bool was, bool stays)
   {
-    std::atomic_ref(this->State[node])
-      .store(static_cast<std::uint8_t>((was ? kWas : 0) | (stays ? kStays : 0) | kKnown),
-        std::memory_order_relaxed);
+    storeRelaxed(this->State[node],
+      static_cast<std::uint8_t>((was ? kWas : 0) | (stays ? kStays : 0) | kKnown));
   }
 
   /// Calls act(i, part) for the items of the flagged basins, and adds up the parts of the report.
@@ -126,7 +122,7 @@ private:
         }
         const std::scoped_lock lock(guard);
         this->Report.change += part.change;
-        this->Report.doors += part.doors;
+        this->Report.criticalTriangles += part.criticalTriangles;
       });
   }
 
@@ -221,14 +217,13 @@ private:
     }
     if (stays != was)
     {
-      std::atomic_ref(stays ? this->Grows : this->Shrinks).store(true, std::memory_order_relaxed);
+      storeRelaxed(stays ? this->Grows : this->Shrinks, true);
     }
   }
 
-  void decideTets()
+  void decideAll(const Nodes& nodes)
   {
-    this->forEach(this->Graph.tets().ofBasin, this->Open,
-      [&](Index i, BulkReport&) { this->decide(this->Graph.tets(), i); });
+    this->forEach(nodes.ofBasin, this->Open, [&](Index i, BulkReport&) { this->decide(nodes, i); });
   }
 
   /// Depth first on an explicit stack: the relation is acyclic.
@@ -323,13 +318,13 @@ private:
     this->forEach(nodes.ofBasin, this->Concerned,
       [&](Index i, BulkReport& part)
       {
-        this->decide(nodes, i);
+        this->decide(nodes, i); // critical ones, which nothing else waits for
         const std::uint8_t state = this->State[nodes.first + i];
         const bool stays = (state & kStays) != 0;
         const int change = changeOf(state);
         part.change.triangles += change;
         part.change.edges += isCritical ? 0 : change;
-        part.doors += isCritical && change < 0 ? 1 : 0;
+        part.criticalTriangles += isCritical && change < 0 ? 1 : 0;
         const auto sides = nodes.holdersOf(i).first(2);
         const bool isSheet =
           stays && ((this->State[sides[0]] | this->State[sides[1]]) & kStays) == 0;
@@ -353,9 +348,8 @@ private:
         }
         for (const Index tet : this->Graph.membersOf(i))
         {
-          const unsigned attached = this->Flow.attachedFacets(tet);
-          const int hasOne = attached != 0 ? 1 : 0;
-          const int hasTwo = (attached & (attached - 1)) != 0 ? 1 : 0;
+          const int hasOne = this->Flow.isSink(tet) ? 0 : 1;
+          const int hasTwo = this->Flow.hasTwoAttached(tet) ? 1 : 0;
           part.change.tetrahedra += change;
           part.change.triangles += change * (hasOne + hasTwo);
           part.change.edges += change * hasTwo;

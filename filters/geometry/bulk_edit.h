@@ -17,10 +17,10 @@ namespace scan
 /// Which critical simplices a state is to keep.
 struct CriticalChoice
 {
-  std::vector<std::uint8_t> holdsBasin; ///< per basin: 1 where its sink is kept
+  std::vector<std::uint8_t> holdsBasin; ///< per basin: 1 to keep its sink, 0 where it has none
 
   /// Whether a critical triangle, by its place in the graph, is kept when nothing else keeps it;
-  /// `was` tells whether it is kept now. Any thread may ask.
+  /// `was` tells whether it is kept now. Any thread may ask, before the state is edited.
   std::function<bool(Index i, bool was)> keepsTriangle;
 };
 
@@ -30,12 +30,13 @@ CriticalChoice criticalChoiceOf(const WrapComplex& kept, const Basins& basins);
 struct BulkReport
 {
   WrapChange change;
-  Index doors = 0; ///< critical triangles that went
+  Index criticalTriangles = 0; ///< that went
 };
 
 /// Turns a state that follows the flow into the one with other critical simplices: the same as all
 /// collapses and additions one after the other, in any order. Each interval is decided once, in
-/// parallel. Time follows the basins that are not held, before or after.
+/// parallel. Time follows the basins that are not held, before or after; one byte a node. After
+/// Cancelled the state is of no use.
 /// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003), section 6.
 BulkReport editInBulk(WrapComplex& kept, const CollapseGraph& graph, const CriticalChoice& choice,
   Execution& execution);

@@ -4,10 +4,10 @@
 
 #include "filters/geometry/collect.h"
 #include "filters/geometry/dominators.h"
+#include "filters/geometry/holders.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <numeric>
@@ -21,38 +21,19 @@ namespace
 constexpr std::size_t kGrain = 1 << 14;
 constexpr std::size_t kSteps = 4;
 
-/// Items sorted by group, and within a group in their own order.
-struct Grouped
-{
-  std::vector<Index> first; ///< of each group, and one past the last
-  LargeArray<Index> items;
-};
-
-/// @param groupOf (item) -> group, or kNone to leave the item out
+/// Items by group. @param groupOf (item) -> group, or kNone to leave the item out
 template <class GroupOf>
-Grouped groupBy(std::size_t count, Index groups, GroupOf&& groupOf)
+Incidence groupBy(std::size_t count, Index groups, GroupOf&& groupOf)
 {
-  Grouped grouped{ std::vector<Index>(groups + 1, 0), {} };
-  for (Index item = 0; item < count; ++item)
-  {
-    const Index group = groupOf(item);
-    if (group != kNone)
+  return Incidence(groups, count,
+    [&](std::size_t item, auto&& visit)
     {
-      ++grouped.first[group + 1];
-    }
-  }
-  std::partial_sum(grouped.first.begin(), grouped.first.end(), grouped.first.begin());
-  grouped.items.resize(grouped.first.back());
-  std::vector<Index> place = grouped.first;
-  for (Index item = 0; item < count; ++item)
-  {
-    const Index group = groupOf(item);
-    if (group != kNone)
-    {
-      grouped.items[place[group]++] = item;
-    }
-  }
-  return grouped;
+      const Index group = groupOf(static_cast<Index>(item));
+      if (group != kNone)
+      {
+        visit(group);
+      }
+    });
 }
 
 } // namespace
@@ -92,14 +73,14 @@ private:
   void numberTets()
   {
     Nodes& nodes = this->Graph.Tets;
-    Grouped own = groupBy(this->BasinOf.size(), this->BasinCount,
+    const Incidence own = groupBy(this->BasinOf.size(), this->BasinCount,
       [&](Index tet)
       {
         const Upper upper{ true, tet };
         return this->Found.of(upper) == this->Found.codeOf(upper) ? this->BasinOf[tet] : kNone;
       });
-    nodes.name = std::move(own.items);
-    nodes.ofBasin = std::move(own.first);
+    nodes.name = own.items();
+    nodes.ofBasin = own.begins();
     this->sortByRadius(nodes);
     this->NumberOfTet.resize(this->BasinOf.size());
     for (Index i = 0; i < nodes.name.size(); ++i)
@@ -111,7 +92,7 @@ private:
   /// From large to small within a basin: as good as always what holds others comes first.
   void sortByRadius(Nodes& nodes)
   {
-    std::vector<std::pair<float, Index>> keys(nodes.name.size());
+    std::vector<std::pair<double, Index>> keys(nodes.name.size());
     this->Run.parallelFor(this->BasinCount, 16,
       [&](std::size_t begin, std::size_t end)
       {
@@ -119,8 +100,7 @@ private:
         const auto last = nodes.ofBasin[end];
         for (Index i = first; i < last; ++i)
         {
-          keys[i] = { static_cast<float>(circumradiusSquared(this->Complex, nodes.name[i])),
-            nodes.name[i] };
+          keys[i] = { circumradiusSquared(this->Complex, nodes.name[i]), nodes.name[i] };
         }
         for (std::size_t basin = begin; basin < end; ++basin)
         {
@@ -170,13 +150,13 @@ private:
     for (const bool isObtuse : { true, false })
     {
       Nodes& nodes = isObtuse ? this->Graph.Obtuse : this->Graph.Critical;
-      Grouped grouped = groupBy(triangles.size(), this->BasinCount,
+      const Incidence grouped = groupBy(triangles.size(), this->BasinCount,
         [&](Index rank)
         { return this->Flow.isObtuse(triangles[rank]) == isObtuse ? home[rank] : kNone; });
       nodes.first = number;
-      nodes.ofBasin = std::move(grouped.first);
-      nodes.name.reserve(grouped.items.size());
-      for (const Index rank : grouped.items)
+      nodes.ofBasin = grouped.begins();
+      nodes.name.reserve(grouped.items().size());
+      for (const Index rank : grouped.items())
       {
         nodes.name.push_back(triangles[rank]);
         this->NumberOfRank[rank] = number++;
@@ -223,10 +203,8 @@ private:
           nodeOf[tet] = number == this->Nothing ? kNone : number;
         }
       });
-    Grouped grouped = groupBy(nodeOf.size(), static_cast<Index>(this->Graph.Tets.name.size()),
+    this->Graph.Members = groupBy(nodeOf.size(), static_cast<Index>(this->Graph.Tets.name.size()),
       [&](Index tet) { return nodeOf[tet]; });
-    this->Graph.FirstMember = std::move(grouped.first);
-    this->Graph.Members = std::move(grouped.items);
   }
 
   /// Fills in the holders of nodes: addHolders(i, found, begin) appends those of node i.
@@ -294,15 +272,14 @@ private:
 
   void measureCritical()
   {
-    const LargeArray<Index>& name = this->Graph.Critical.name;
+    const std::vector<Index>& name = this->Graph.Critical.name;
     this->Graph.Radius.resize(name.size());
     this->Run.parallelFor(name.size(), kGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          this->Graph.Radius[i] =
-            std::sqrt(circumradiusSquared(this->Complex, this->Complex.facetVertices(name[i])));
+          this->Graph.Radius[i] = circumradius(this->Complex, name[i]);
         }
       });
   }

@@ -4,6 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/blocks.h"
+#include "filters/geometry/incidence.h"
 #include "filters/geometry/large_array.h"
 
 #include <span>
@@ -15,24 +16,25 @@ namespace scan
 /// What holds what in the Wrap complex: made once, it tells for every state that follows the flow
 /// what goes, or comes back, with any number of blocks.
 ///
-/// The relation of holders (holders.h), made smaller: what hangs on one simplex alone is a *member*
-/// of it (dominators.h). The others are nodes: tetrahedra, free triangles, and critical edges,
-/// which hold nothing. What the Wrap complex does not keep has no place here. Everything is grouped
-/// by basins: while the sink of a basin is kept, all of the basin is.
+/// The relation of holders (holders.h), made smaller: a tetrahedron that hangs on another one alone
+/// is a *member* of it (dominators.h). Nodes are the other tetrahedra, all free triangles, and the
+/// critical edges, which hold nothing. What the collapse from outside removes has no place here,
+/// nor have edges that nothing holds. Everything is grouped with a basin: while the sink of that is
+/// kept, it is kept as well. Triangles and edges are grouped with one that has a sink, if they can
+/// be.
 class CollapseGraph
 {
 public:
-  /// Nodes of one kind. Their numbers follow those of the kind before.
+  /// Nodes of one kind, with numbers that tell the kinds apart. Edges have no names or numbers.
   struct Nodes
   {
     Index first = 0;               ///< number of the first one
-    LargeArray<Index> name;        ///< tetrahedron or canonical facet; edges have none
+    std::vector<Index> name;       ///< tetrahedron or canonical facet
     std::vector<Index> ofBasin;    ///< of each basin the first one, and one past the last
     LargeArray<Index> firstHolder; ///< of each node, and one past the last
-    std::vector<Index> holders;    ///< numbers of nodes
+    std::vector<Index> holders;    ///< their numbers
 
     Index count() const { return static_cast<Index>(this->firstHolder.size() - 1); }
-    Index end() const { return this->first + this->count(); }
     std::span<const Index> holdersOf(Index i) const
     {
       return { this->holders.data() + this->firstHolder[i],
@@ -40,7 +42,8 @@ public:
     }
   };
 
-  /// Walks around every edge; about 150 bytes a point. Reports phase "holders".
+  /// Walks around every edge; about 150 bytes a point. For at most Dominators::kMostTets
+  /// tetrahedra. Reports phase "holders".
   CollapseGraph(const Blocks& blocks, Execution& execution);
 
   const FlowComplex& flow() const { return this->TheBlocks.flow(); }
@@ -55,14 +58,10 @@ public:
   double radiusOf(Index critical) const { return this->Radius[critical]; }
   const Nodes& edges() const { return this->Edges; }
   /// The holder that is never kept.
-  Index nothing() const { return this->Critical.end(); }
+  Index nothing() const { return this->Critical.first + this->Critical.count(); }
 
   /// The tetrahedra that hang on node i of tets(), itself among them.
-  std::span<const Index> membersOf(Index i) const
-  {
-    return { this->Members.data() + this->FirstMember[i],
-      this->Members.data() + this->FirstMember[i + 1] };
-  }
+  std::span<const Index> membersOf(Index i) const { return this->Members.of(i); }
 
   /// The place in critical() of a door of the blocks.
   Index indexOfDoor(Index door) const { return this->IndexOfDoor[door]; }
@@ -77,8 +76,7 @@ private:
   LargeArray<Index> IndexOfDoor;
   LargeArray<double> Radius; ///< of the critical triangles
   Nodes Edges;
-  LargeArray<Index> Members;
-  std::vector<Index> FirstMember; ///< of each node, and one past the last
+  Incidence Members;
 };
 
 } // namespace scan

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/dominators.h"
 
+#include "filters/geometry/relaxed.h"
+
 #include <atomic>
 
 namespace scan
@@ -16,16 +18,10 @@ constexpr Dominators::Code kUnknown = kNone - 1;
 constexpr unsigned kItself = 1;
 constexpr unsigned kAsBeside = 2;
 
-// shared by all threads: whoever works one out gets the same
-template <class Value>
-Value load(const Value& place)
-{
-  return std::atomic_ref(const_cast<Value&>(place)).load(std::memory_order_relaxed);
-}
-
 } // namespace
 
-/// Depth first on an explicit stack: the relation is acyclic.
+/// Depth first on an explicit stack: the relation is acyclic. Whoever works one out gets the same,
+/// so it does no harm when two threads do.
 class Dominators::Search
 {
 public:
@@ -133,13 +129,14 @@ Dominators::Code Dominators::of(Upper upper) const
 {
   if (upper.isTet)
   {
-    return load(this->OfTet[upper.name]);
+    return loadRelaxed(this->OfTet[upper.name]);
   }
   if (!this->Flow.isObtuse(upper.name))
   {
     return upper.name; // critical
   }
-  const unsigned stored = load(this->OfTriangle[upper.name / 4]) >> (2 * (upper.name % 4)) & 3U;
+  const unsigned stored =
+    loadRelaxed(this->OfTriangle[upper.name / 4]) >> (2 * (upper.name % 4)) & 3U;
   return stored == kItself ? upper.name : stored == kAsBeside ? this->beside(upper.name) : kUnknown;
 }
 
@@ -156,7 +153,7 @@ void Dominators::remember(Upper upper, Code code)
 {
   if (upper.isTet)
   {
-    std::atomic_ref(this->OfTet[upper.name]).store(code, std::memory_order_relaxed);
+    storeRelaxed(this->OfTet[upper.name], code);
     return;
   }
   const unsigned stored = code == upper.name ? kItself : kAsBeside;

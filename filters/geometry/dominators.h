@@ -21,12 +21,14 @@ public:
   /// what nothing critical holds: it goes with the collapse from outside.
   using Code = Index;
 
-  /// Linear time; five bytes a tetrahedron.
+  static constexpr Index kMostTets = (kNone - 2) / 5; ///< that Code has room for
+
+  /// Linear time; five bytes a tetrahedron. For at most kMostTets.
   Dominators(const FlowComplex& flow, Execution& execution);
 
-  /// Of a tetrahedron or free triangle; itself where it is critical or hangs on several. Also for
-  /// tetrahedra that hang on a triangle and, few as they are, for triangles that hang on something
-  /// else than what is beside them.
+  /// Of a tetrahedron or free triangle; itself where it is critical or hangs on several. Itself,
+  /// too, for a tetrahedron that hangs on a triangle, and for a triangle that hangs on something
+  /// that the tetrahedra beside it do not hang on: there are few.
   Code of(Upper upper) const;
 
   Code codeOf(Upper upper) const

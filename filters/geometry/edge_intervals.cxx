@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/edge_intervals.h"
 
+#include <bit>
+
 namespace scan
 {
+
+EdgeOfTriangle sharedEdge(const FlowComplex& flow, Index tet)
+{
+  const unsigned attached = flow.attachedFacets(tet);
+  const auto first = static_cast<unsigned>(std::countr_zero(attached));
+  const auto second = static_cast<unsigned>(std::countr_zero(attached & (attached - 1)));
+  return { 4 * tet + first, flow.delaunay().tetrahedra[tet][second] };
+}
 
 EdgeInterval intervalOfEdge(const FlowComplex& flow, EdgeOfTriangle edge)
 {

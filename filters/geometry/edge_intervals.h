@@ -15,6 +15,9 @@ struct EdgeOfTriangle
   Index apex;
 };
 
+/// Of a tetrahedron with two attached facets: the edge they share.
+EdgeOfTriangle sharedEdge(const FlowComplex& flow, Index tet);
+
 /// The interval that an edge is the lower face of; both kNone when the edge is critical or the face
 /// of an interval with a lower face of its own.
 struct EdgeInterval

@@ -231,7 +231,13 @@ double circumradiusSquared(const DelaunayComplex& complex, Index tet)
   const Vec3 cd = cross(c, d);
   const Vec3 n = cd * dot(b, b) + cross(d, b) * dot(c, c) + cross(b, c) * dot(d, d);
   const Vec3 centre = n * (0.5 / dot(b, cd));
-  return dot(centre, centre);
+  const double squared = dot(centre, centre);
+  return std::isnan(squared) ? std::numeric_limits<double>::infinity() : squared;
+}
+
+double circumradius(const DelaunayComplex& complex, Facet facet)
+{
+  return std::sqrt(circumradiusSquared(complex, complex.facetVertices(facet)));
 }
 
 double circumradiusSquared(const DelaunayComplex& complex, const Triangle& triangle)

@@ -34,6 +34,10 @@ public:
   unsigned attachedFacets(Index tet) const { return this->Attached[tet]; } ///< bit k: facet k
   bool isAttached(Facet facet) const { return this->Attached[facet / 4] >> (facet % 4) & 1U; }
   bool isSink(Index tet) const { return this->Attached[tet] == 0; }
+  bool hasTwoAttached(Index tet) const
+  {
+    return (this->Attached[tet] & (this->Attached[tet] - 1U)) != 0;
+  }
 
   /// The facet is attached to neither of its sides: the triangle's interval is its own or an
   /// edge's.
@@ -77,6 +81,9 @@ private:
 
 /// Squared circumradius of a tetrahedron; large but finite or infinite for flat ones.
 double circumradiusSquared(const DelaunayComplex& complex, Index tet);
+
+/// Circumradius of a triangle.
+double circumradius(const DelaunayComplex& complex, Facet facet);
 
 /// Squared circumradius of a triangle.
 double circumradiusSquared(const DelaunayComplex& complex, const Triangle& triangle);

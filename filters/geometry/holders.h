@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/geometry/flow_complex.h"
+#include "filters/geometry/edge_intervals.h"
 
 #include <bit>
 
@@ -75,16 +75,12 @@ bool forEachHolderAround(const FlowComplex& flow, Upper upper, Visit&& visit)
     const Index apex = flow.obtuseVertex(upper.name);
     return apex == kNone || forEachUpperAround(flow, upper.name, apex, upper, visit);
   }
-  const unsigned attached = flow.attachedFacets(upper.name);
-  const unsigned others = attached & (attached - 1);
-  if (others == 0)
+  if (!flow.hasTwoAttached(upper.name))
   {
     return true;
   }
-  // the edge that the two attached facets share
-  const Facet start = 4 * upper.name + static_cast<Facet>(std::countr_zero(attached));
-  const Index apex = flow.delaunay().tetrahedra[upper.name][std::countr_zero(others)];
-  return forEachUpperAround(flow, start, apex, upper, visit);
+  const EdgeOfTriangle edge = sharedEdge(flow, upper.name);
+  return forEachUpperAround(flow, edge.triangle, edge.apex, upper, visit);
 }
 
 } // namespace scan

@@ -43,6 +43,10 @@ public:
     return { this->Items.data() + this->First[owner], this->Items.data() + this->First[owner + 1] };
   }
 
+  /// All items by owner, those of each in decreasing order; where they begin, and the end.
+  const std::vector<Index>& items() const { return this->Items; }
+  const std::vector<Index>& begins() const { return this->First; }
+
   /// Puts the items of an owner into another order.
   template <class Before>
   void sort(Index owner, Before&& isBefore)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/geometry/holders.h"
+#include "filters/geometry/relaxed.h"
 
 #include <atomic>
 #include <cstdint>
@@ -32,8 +33,8 @@ public:
   Fate known(Upper upper) const
   {
     const std::uint8_t stored = upper.isTet
-      ? load(this->OfTet[upper.name])
-      : load(this->OfTriangle[upper.name / 4]) >> (2 * (upper.name % 4)) & 3U;
+      ? loadRelaxed(this->OfTet[upper.name])
+      : loadRelaxed(this->OfTriangle[upper.name / 4]) >> (2 * (upper.name % 4)) & 3U;
     return static_cast<Fate>(stored);
   }
 
@@ -42,8 +43,7 @@ public:
     const auto stored = static_cast<unsigned>(fate);
     if (upper.isTet)
     {
-      std::atomic_ref(this->OfTet[upper.name])
-        .store(static_cast<std::uint8_t>(stored), std::memory_order_relaxed);
+      storeRelaxed(this->OfTet[upper.name], static_cast<std::uint8_t>(stored));
     }
     else
     {
@@ -54,11 +54,6 @@ public:
   }
 
 private:
-  static std::uint8_t load(const std::uint8_t& place)
-  {
-    return std::atomic_ref(const_cast<std::uint8_t&>(place)).load(std::memory_order_relaxed);
-  }
-
   std::vector<std::uint8_t> OfTet;
   std::vector<std::uint8_t> OfTriangle; ///< two bits a facet, at canonical free facets
 };

@@ -89,7 +89,7 @@ public:
   {
     for (const BlockName& block : removed)
     {
-      if (block.name != kNone && !block.isSheet && this->Progress[block.name] == Progressed::no)
+      if (block.name != kNone && !block.isSheet)
       {
         this->forEachInReach(block.name, [](Index) {});
       }
@@ -130,8 +130,9 @@ private:
     goAlong
   };
 
-  /// Calls act(block) for the block and, deep, all that one passes to from there that were not
-  /// reached before. Lists the doors of them through which one passes in one direction at least.
+  /// Calls act(block) for the block, whether it was reached before or not, and, deep, for all
+  /// others that one passes to from there. Lists the doors of them through which one passes in one
+  /// direction at least.
   template <class Act>
   void forEachInReach(Index first, Act&& act)
   {
@@ -149,9 +150,14 @@ private:
       for (const Index d : this->TheBlocks.doorsOf(block))
       {
         const Door& door = this->TheBlocks.doors()[d];
-        if (!this->TheBlocks.passes(door, this->Options.reach))
+        constexpr double kRounding = 1e-9;
+        if (!this->TheBlocks.passes(door, (1.0 + kRounding) * this->Options.reach))
         {
           break; // nor through those that follow
+        }
+        if (!this->TheBlocks.passes(door, this->Options.reach))
+        {
+          continue;
         }
         const Index other = door.a == block ? door.b : door.a;
         Progressed& progress = this->Progress[other];

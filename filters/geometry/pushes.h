@@ -41,7 +41,8 @@ PushReport push(WrapModel& model, std::span<const Facet> triangles,
   std::span<const BlockName> named, const PushOptions& options, Execution& execution);
 
 /// Adds removed blocks back, as far as they were there at the start if they were: the inverse of
-/// push. With `deep` also the removed blocks that one passes to.
+/// push. With `deep` also the removed blocks that one passes to. Volumes come first; a sheet that
+/// comes with one is not reported.
 PushReport pull(WrapModel& model, std::span<const BlockName> removed, const PushOptions& options,
   Execution& execution);
 

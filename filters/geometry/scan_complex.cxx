@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/scan_complex.h"
 
+#include "filters/geometry/dominators.h"
+
 namespace scan
 {
 
@@ -41,7 +43,7 @@ const CollapseGraph* ScanComplex::graphFor(
   constexpr std::int64_t kOpen = 16;          // of those in blocks that are gone
   constexpr std::int64_t kPartOfTheGraph = 2; // to edit this part of all takes as long as the graph
   std::int64_t cost = this->Delaunay.tetCount() / kAPass;
-  if (!kept.followsFlow() || tets <= cost)
+  if (!kept.followsFlow() || tets <= cost || this->Delaunay.tetCount() > Dominators::kMostTets)
   {
     return nullptr;
   }
@@ -57,9 +59,10 @@ const CollapseGraph* ScanComplex::graphFor(
   }
   {
     const std::scoped_lock lock(this->Guard);
-    if (!this->TheGraph && kPartOfTheGraph * this->EditedOneByOne < this->Delaunay.tetCount())
+    const std::int64_t edited = this->EditedOneByOne + tets;
+    if (!this->TheGraph && kPartOfTheGraph * edited < this->Delaunay.tetCount())
     {
-      this->EditedOneByOne += tets;
+      this->EditedOneByOne = edited;
       return nullptr;
     }
   }
@@ -80,7 +83,10 @@ const CollapseGraph& ScanComplex::graph(Execution& execution) const
 void ScanComplex::prepareEdits(Execution& execution) const
 {
   this->sizes(execution);
-  this->graph(execution);
+  if (this->Delaunay.tetCount() <= Dominators::kMostTets)
+  {
+    this->graph(execution);
+  }
 }
 
 } // namespace scan

@@ -36,9 +36,9 @@ public:
   const SizeScale& sizes(Execution& execution) const;
 
   /// What edits a state at once, for an edit that costs as much as so many tetrahedra one by one;
-  /// null where that is the shorter way, or the state does not follow the flow. The graph is made
-  /// once such edits have taken about as long as that does, or by prepareEdits(). Reports phase
-  /// "holders".
+  /// null where that is the shorter way, or the state does not follow the flow: the result is the
+  /// same. The graph is made when with this edit they will have taken about as long as that does,
+  /// or by prepareEdits(). Reports phase "holders".
   const CollapseGraph* graphFor(
     const WrapComplex& kept, std::int64_t tets, Execution& execution) const;
 

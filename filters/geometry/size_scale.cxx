@@ -7,18 +7,13 @@
 #include "filters/geometry/scan_complex.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <span>
 
 namespace scan
 {
 namespace
 {
-
-double radiusOf(const DelaunayComplex& complex, Facet triangle)
-{
-  return std::sqrt(circumradiusSquared(complex, complex.facetVertices(triangle)));
-}
 
 /// The entries with to < radius <= from.
 template <class Entry>
@@ -51,7 +46,7 @@ SizeScale::SizeScale(const ScanComplex& scan, const Blocks& blocks, Execution& e
     {
       if (complex.canonical(facet) == facet && flow.isCriticalTriangle(facet))
       {
-        found.push_back({ radiusOf(complex, facet), facet });
+        found.push_back({ circumradius(complex, facet), facet });
       }
     });
   const auto wideFirst = [](const Entry& a, const Entry& b)
@@ -145,7 +140,7 @@ void SizeScale::open(WrapEditor& editor, const WrapComplex& complex, double from
   for (std::size_t i = 0; i < editor.baredSheets().size(); ++i)
   {
     const Facet triangle = editor.baredSheets()[i];
-    if (flow.isCriticalTriangle(triangle) && radiusOf(flow.delaunay(), triangle) > to)
+    if (flow.isCriticalTriangle(triangle) && circumradius(flow.delaunay(), triangle) > to)
     {
       removeIfBare(triangle);
       editor.collapse(execution);

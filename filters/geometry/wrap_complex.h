@@ -4,6 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/flow_complex.h"
+#include "filters/geometry/relaxed.h"
 
 #include <algorithm>
 #include <atomic>
@@ -50,16 +51,10 @@ public:
     return this->State[name / 4] >> (name % 4) & 1U;
   }
 
-  /// The same for canonical facets; several threads may set different ones.
-  bool isSheetNamed(Facet name) const { return this->State[name / 4] >> (name % 4) & 1U; }
-  bool keepsNamed(Facet name) const
+  /// The same for canonical facets. Several threads may set different ones, and read them.
+  bool isSheetNamed(Facet name) const
   {
-    if (this->isSheetNamed(name) || this->keepsTet(name / 4))
-    {
-      return true;
-    }
-    const Index beyond = this->Flow->delaunay().neighbour(name / 4, static_cast<int>(name % 4));
-    return beyond != kNone && this->keepsTet(beyond);
+    return loadRelaxed(this->State[name / 4]) >> (name % 4) & 1U;
   }
   void setSheetNamed(Facet name, bool keep)
   {

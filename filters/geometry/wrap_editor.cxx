@@ -12,21 +12,6 @@ namespace
 
 constexpr std::size_t kStepsBetweenChecks = 1 << 14;
 
-/// Of a tetrahedron with two attached facets: the edge they share.
-EdgeOfTriangle sharedEdge(const FlowComplex& flow, Index tet)
-{
-  const unsigned attached = flow.attachedFacets(tet);
-  const auto first = static_cast<unsigned>(std::countr_zero(attached));
-  const auto second = static_cast<unsigned>(std::countr_zero(attached & (attached - 1)));
-  return { 4 * tet + first, flow.delaunay().tetrahedra[tet][second] };
-}
-
-bool hasTwoAttached(const FlowComplex& flow, Index tet)
-{
-  const unsigned attached = flow.attachedFacets(tet);
-  return (attached & (attached - 1)) != 0;
-}
-
 /// Calls act(edge) for the three edges of a triangle.
 template <class Act>
 void forEachEdge(const DelaunayComplex& complex, Facet facet, Act&& act)
@@ -81,7 +66,7 @@ void WrapEditor::removeTet(Index tet)
       continue;
     }
     const Facet mirror = this->Complex.mirror[tet][facet % 4];
-    if (this->Flow.isAttached(mirror) && !hasTwoAttached(this->Flow, mirror / 4))
+    if (this->Flow.isAttached(mirror) && !this->Flow.hasTwoAttached(mirror / 4))
     {
       this->Tets.push_back(mirror / 4); // [facet, tetrahedron]
     }
@@ -141,7 +126,7 @@ void WrapEditor::reviewEdge(EdgeOfTriangle edge)
 /// Looks at the tetrahedron when [edge, tetrahedron] is an interval.
 void WrapEditor::reviewInterval(EdgeOfTriangle edge, Index tet)
 {
-  if (!hasTwoAttached(this->Flow, tet))
+  if (!this->Flow.hasTwoAttached(tet))
   {
     return;
   }
@@ -176,7 +161,7 @@ Index WrapEditor::choose(
 {
   const BulkReport report = editInBulk(this->Kept, graph, choice, execution);
   this->Change += report.change;
-  return report.doors;
+  return report.criticalTriangles;
 }
 
 void WrapEditor::collapse(Execution& execution)
@@ -218,7 +203,7 @@ void WrapEditor::collapseTet(Index tet)
       return;
     }
   }
-  if (hasTwoAttached(this->Flow, tet) &&
+  if (this->Flow.hasTwoAttached(tet) &&
     keptTrianglesAtEdge(this->Kept, sharedEdge(this->Flow, tet), 3) > 2)
   {
     return;

@@ -16,7 +16,8 @@ vtkSmartPointer<vtkPolyData> vtkScanWrapEditFilter::NewOutput(vtkPolyData*)
 void vtkScanWrapEditFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution)
 {
   vtkScanWrapData& wrap = vtkScanWrapData::Of(input);
-  execution.plan({ { "marks", 1.0 }, { "blocks", 2.0 }, { "edit", 1.0 }, { "surface", 4.0 } });
+  execution.plan({ { "marks", 1.0 }, { "blocks", 2.0 }, { "holders", 2.0 }, { "edit", 1.0 },
+    { "surface", 4.0 } });
   execution.step("marks", 0, 1);
   this->Report = {};
   scan::WrapModel model = wrap.GetModel();
