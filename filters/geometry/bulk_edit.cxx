@@ -318,7 +318,7 @@ private:
     this->forEach(nodes.ofBasin, this->Concerned,
       [&](Index i, BulkReport& part)
       {
-        this->decide(nodes, i); // critical ones, which nothing else waits for
+        this->decide(nodes, i); // critical ones that no other node asked for
         const std::uint8_t state = this->State[nodes.first + i];
         const bool stays = (state & kStays) != 0;
         const int change = changeOf(state);
