@@ -341,7 +341,7 @@ private:
       [&](Index i, BulkReport& part)
       {
         const std::uint8_t state = this->State[i];
-        const int change = changeOf(state);
+        const std::int64_t change = changeOf(state);
         if (change == 0)
         {
           return;
