@@ -136,11 +136,15 @@ private:
   template <class Act>
   void forEachInReach(Index first, Act&& act)
   {
-    std::vector<Index> pending{ first };
-    while (!pending.empty())
+    constexpr std::size_t kAhead = 8;
+    std::vector<Index> queue{ first };
+    for (std::size_t next = 0; next < queue.size(); ++next)
     {
-      const Index block = pending.back();
-      pending.pop_back();
+      if (next + kAhead < queue.size())
+      {
+        this->fetchDoors(queue[next + kAhead]);
+      }
+      const Index block = queue[next];
       act(block);
       if (std::exchange(this->Progress[block], Progressed::through) == Progressed::through)
       {
@@ -169,9 +173,20 @@ private:
           this->TheBlocks.passes(block, door, this->Options.reach))
         {
           progress = Progressed::upTo;
-          pending.push_back(other);
+          queue.push_back(other);
         }
       }
+    }
+  }
+
+  /// Has the processor fetch the first doors of a block, which lie anywhere in memory.
+  void fetchDoors(Index block) const
+  {
+    constexpr std::size_t kMost = 6;
+    const std::span<const Index> doors = this->TheBlocks.doorsOf(block);
+    for (const Index d : doors.first(std::min(kMost, doors.size())))
+    {
+      __builtin_prefetch(&this->TheBlocks.doors()[d]);
     }
   }
 
