@@ -4,8 +4,6 @@
 
 #include "filters/geometry/relaxed.h"
 
-#include <atomic>
-
 namespace scan
 {
 namespace
@@ -104,7 +102,7 @@ Dominators::Dominators(const FlowComplex& flow, Execution& execution)
   : Flow(flow)
   , FacetCount(4 * flow.delaunay().tetCount())
   , OfTet(flow.delaunay().tetCount(), kUnknown)
-  , OfTriangle(flow.delaunay().tetCount(), 0)
+  , OfTriangle(flow.delaunay().tetCount())
 {
   execution.parallelFor(this->OfTet.size(), 1 << 14,
     [&](std::size_t begin, std::size_t end)
@@ -135,8 +133,7 @@ Dominators::Code Dominators::of(Upper upper) const
   {
     return upper.name; // critical
   }
-  const unsigned stored =
-    loadRelaxed(this->OfTriangle[upper.name / 4]) >> (2 * (upper.name % 4)) & 3U;
+  const unsigned stored = this->OfTriangle.at(upper.name);
   return stored == kItself ? upper.name : stored == kAsBeside ? this->beside(upper.name) : kUnknown;
 }
 
@@ -156,10 +153,7 @@ void Dominators::remember(Upper upper, Code code)
     storeRelaxed(this->OfTet[upper.name], code);
     return;
   }
-  const unsigned stored = code == upper.name ? kItself : kAsBeside;
-  std::atomic_ref(this->OfTriangle[upper.name / 4])
-    .fetch_or(
-      static_cast<std::uint8_t>(stored << (2 * (upper.name % 4))), std::memory_order_relaxed);
+  this->OfTriangle.set(upper.name, code == upper.name ? kItself : kAsBeside);
 }
 
 } // namespace scan

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "filters/geometry/facet_marks.h"
 #include "filters/geometry/flow_complex.h"
 #include "filters/geometry/holders.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace scan
@@ -49,7 +49,7 @@ private:
   const FlowComplex& Flow;
   Index FacetCount;
   std::vector<Code> OfTet;
-  std::vector<std::uint8_t> OfTriangle; ///< two bits a facet, at canonical free ones
+  FacetMarks OfTriangle; ///< at canonical free facets
 };
 
 } // namespace scan

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/geometry/facet_marks.h"
 #include "filters/geometry/holders.h"
 #include "filters/geometry/relaxed.h"
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -26,36 +26,32 @@ class IntervalFates
 public:
   explicit IntervalFates(Index tetCount)
     : OfTet(tetCount, 0)
-    , OfTriangle(tetCount, 0)
+    , OfTriangle(tetCount)
   {
   }
 
   Fate known(Upper upper) const
   {
-    const std::uint8_t stored = upper.isTet
-      ? loadRelaxed(this->OfTet[upper.name])
-      : loadRelaxed(this->OfTriangle[upper.name / 4]) >> (2 * (upper.name % 4)) & 3U;
-    return static_cast<Fate>(stored);
+    return static_cast<Fate>(
+      upper.isTet ? loadRelaxed(this->OfTet[upper.name]) : this->OfTriangle.at(upper.name));
   }
 
   void remember(Upper upper, Fate fate)
   {
-    const auto stored = static_cast<unsigned>(fate);
+    const auto stored = static_cast<std::uint8_t>(fate);
     if (upper.isTet)
     {
-      storeRelaxed(this->OfTet[upper.name], static_cast<std::uint8_t>(stored));
+      storeRelaxed(this->OfTet[upper.name], stored);
     }
     else
     {
-      std::atomic_ref(this->OfTriangle[upper.name / 4])
-        .fetch_or(
-          static_cast<std::uint8_t>(stored << (2 * (upper.name % 4))), std::memory_order_relaxed);
+      this->OfTriangle.set(upper.name, stored);
     }
   }
 
 private:
   std::vector<std::uint8_t> OfTet;
-  std::vector<std::uint8_t> OfTriangle; ///< two bits a facet, at canonical free facets
+  FacetMarks OfTriangle; ///< at canonical free facets
 };
 
 /// Decides for intervals whether they stay: they do when critical or when a holder stays. The

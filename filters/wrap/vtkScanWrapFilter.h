@@ -56,8 +56,8 @@ public:
   }
 
   /// Classic mode, for programs that wait for a person: also make what edits of many blocks need,
-  /// so that the first push is as fast as all others. Changes no result; a third of the time more.
-  /// Default: false, which makes it once edits have taken as long.
+  /// so that the first push is as fast as all others. Changes no result; takes three quarters of
+  /// the wrap's time more. Default: false, which makes it once edits have taken as long.
   vtkSetMacro(PrepareEdits, bool);
   vtkGetMacro(PrepareEdits, bool);
   vtkBooleanMacro(PrepareEdits, bool);
