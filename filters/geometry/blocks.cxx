@@ -3,6 +3,7 @@
 #include "filters/geometry/blocks.h"
 
 #include "filters/geometry/collect.h"
+#include "filters/geometry/incidence.h"
 #include "filters/geometry/parallel_sort.h"
 #include "filters/geometry/union_find.h"
 
@@ -64,15 +65,15 @@ Blocks::Blocks(const FlowComplex& flow, const Basins& basins, Execution& executi
   }
   this->Doors = findDoors(*this, execution);
   execution.step("blocks", 1, 3);
-  this->sortDoors(execution);
+  this->listWays(execution);
   execution.step("blocks", 2, 3);
   this->measureOpenings(execution);
   execution.step("blocks", 3, 3);
 }
 
-void Blocks::sortDoors(Execution& execution)
+void Blocks::listWays(Execution& execution)
 {
-  this->DoorsOfBlock = Incidence(this->outside(), this->Doors.size(),
+  const Incidence doorsOf(this->outside(), this->Doors.size(),
     [&](std::size_t d, auto&& visit)
     {
       for (const Index block : { this->Doors[d].a, this->Doors[d].b })
@@ -89,13 +90,24 @@ void Blocks::sortDoors(Execution& execution)
     const Door& door = this->Doors[d];
     width[d] = door.radius / std::min(this->Size[door.a], this->Size[door.b]);
   }
+  this->FirstWay = doorsOf.begins();
+  this->Ways.resize(this->FirstWay.back());
   execution.parallelFor(this->outside(), 64,
     [&](std::size_t begin, std::size_t end)
     {
       for (auto block = static_cast<Index>(begin); block < end; ++block)
       {
-        this->DoorsOfBlock.sort(block,
-          [&](Index p, Index q) { return width[p] != width[q] ? width[p] > width[q] : p < q; });
+        const auto first = this->Ways.begin() + this->FirstWay[block];
+        const auto last = std::ranges::transform(doorsOf.of(block), first,
+          [&](Index d)
+          {
+            const Door& door = this->Doors[d];
+            return Way{ d, door.a == block ? door.b : door.a, door.radius };
+          }).out;
+        std::sort(first, last,
+          [&](const Way& p, const Way& q) {
+            return width[p.door] != width[q.door] ? width[p.door] > width[q.door] : p.door < q.door;
+          });
       }
     });
 }

@@ -4,7 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/basins.h"
-#include "filters/geometry/incidence.h"
+#include "filters/geometry/large_array.h"
 
 #include <algorithm>
 #include <span>
@@ -19,6 +19,14 @@ struct Door
   Facet triangle;
   Index a;
   Index b;
+  double radius;
+};
+
+/// A door as a way out of one of its blocks.
+struct Way
+{
+  Index door;
+  Index beyond; ///< the block on the other side
   double radius;
 };
 
@@ -62,23 +70,16 @@ public:
 
   std::span<const Door> doors() const { return this->Doors; } ///< in the order of their triangles
 
-  /// Of a volume block; those through which one passes at a small reach come first.
-  std::span<const Index> doorsOf(Index block) const { return this->DoorsOfBlock.of(block); }
-
-  /// One passes from `block` through the door when size <= reach * radius.
-  bool passes(Index block, const Door& door, double reach) const
+  /// Out of a volume block; those through which one passes at a small reach, in one direction at
+  /// least, come first.
+  std::span<const Way> waysFrom(Index block) const
   {
-    return this->Size[block] <= reach * door.radius;
-  }
-
-  /// Whether one passes through the door in one direction at least.
-  bool passes(const Door& door, double reach) const
-  {
-    return std::min(this->Size[door.a], this->Size[door.b]) <= reach * door.radius;
+    return { this->Ways.data() + this->FirstWay[block],
+      this->Ways.data() + this->FirstWay[block + 1] };
   }
 
 private:
-  void sortDoors(Execution& execution);
+  void listWays(Execution& execution);
   void measureOpenings(Execution& execution);
 
   const FlowComplex& Flow;
@@ -88,7 +89,8 @@ private:
   std::vector<double> Persistence;
   std::vector<double> Opening;
   std::vector<Door> Doors;
-  Incidence DoorsOfBlock;
+  std::vector<Index> FirstWay; ///< of each block, and one past the last
+  LargeArray<Way> Ways;
 };
 
 } // namespace scan

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/bulk_edit.h"
 
-#include "filters/geometry/large_array.h"
-#include "filters/geometry/relaxed.h"
-
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cstdio>
 #include <mutex>
 #include <span>
 
@@ -14,48 +15,7 @@ namespace scan
 namespace
 {
 
-using Nodes = CollapseGraph::Nodes;
-
-struct Range
-{
-  Index begin;
-  Index end;
-};
-
-/// Some basins, as runs of successive ones.
-class BasinRuns
-{
-public:
-  void add(Index basin) // in increasing order
-  {
-    if (this->Runs.empty() || this->Runs.back().end != basin)
-    {
-      this->Runs.push_back({ basin, basin });
-    }
-    ++this->Runs.back().end;
-  }
-
-  bool isEmpty() const { return this->Runs.empty(); }
-
-  /// What they hold, of items grouped by basin, in pieces of some size.
-  std::vector<Range> pieces(std::span<const Index> ofBasin) const
-  {
-    constexpr Index kPiece = 1 << 13;
-    std::vector<Range> pieces;
-    for (const Range run : this->Runs)
-    {
-      const Index last = ofBasin[run.end];
-      for (Index begin = ofBasin[run.begin]; begin < last; begin += kPiece)
-      {
-        pieces.push_back({ begin, std::min(begin + kPiece, last) });
-      }
-    }
-    return pieces;
-  }
-
-private:
-  std::vector<Range> Runs;
-};
+using Level = CollapseGraph::Level;
 
 class BulkEdit
 {
@@ -67,302 +27,174 @@ public:
     , Graph(graph)
     , Choice(choice)
     , Run(execution)
-    , State(graph.nothing() + 1)
+    , State(graph.nodeCount() + 1, 0)
   {
   }
 
   BulkReport make()
   {
-    this->sortBasins();
-    this->recall();
-    this->decideAll(this->Graph.tets());
-    this->decideAll(this->Graph.obtuse());
-    this->editTriangles(this->Graph.obtuse());
-    this->editTriangles(this->Graph.critical());
+    this->recallSinks();
+    for (const Level& level : this->Graph.levels().subspan(1))
+    {
+      this->decide(level);
+    }
     this->countEdges();
-    this->editTets();
+    this->write();
     return this->Report;
   }
 
 private:
-  // of a node; whoever asks gets the same, so it does no harm when two threads work it out
-  static constexpr std::uint8_t kStays = 1;
-  static constexpr std::uint8_t kKnown = 2;
-  static constexpr std::uint8_t kWas = 4;
+  // of a node
+  static constexpr unsigned kStays = 1;
+  static constexpr unsigned kWas = 2;
 
-  static int changeOf(std::uint8_t state)
+  static int changeOf(unsigned state)
   {
-    return ((state & kStays) != 0 ? 1 : 0) - ((state & kWas) != 0 ? 1 : 0);
+    return static_cast<int>(state & kStays) - static_cast<int>((state & kWas) / kWas);
   }
 
-  std::uint8_t state(Index node) const { return loadRelaxed(this->State[node]); }
-  void setState(Index node, bool was, bool stays)
-  {
-    storeRelaxed(this->State[node],
-      static_cast<std::uint8_t>((was ? kWas : 0) | (stays ? kStays : 0) | kKnown));
-  }
-
-  /// Calls act(i, part) for the items of the flagged basins, and adds up the parts of the report.
+  /// Calls act(from, to, part) for [0, count) in pieces, and adds up the parts of the report.
   template <class Act>
-  void forEach(std::span<const Index> ofBasin, const BasinRuns& basins, Act&& act)
+  void forEach(std::size_t count, std::size_t grain, Act&& act)
   {
-    const std::vector<Range> pieces = basins.pieces(ofBasin);
     std::mutex guard;
-    this->Run.parallelFor(pieces.size(), 1,
-      [&](std::size_t begin, std::size_t end)
+    this->Run.parallelFor(count, grain,
+      [&](std::size_t from, std::size_t to)
       {
         BulkReport part;
-        for (std::size_t piece = begin; piece < end; ++piece)
-        {
-          const Range range = pieces[piece];
-          for (Index i = range.begin; i < range.end; ++i)
-          {
-            act(i, part);
-          }
-        }
+        act(from, to, part);
         const std::scoped_lock lock(guard);
-        this->Report.change += part.change;
-        this->Report.criticalTriangles += part.criticalTriangles;
+        this->Report += part;
       });
   }
 
-  void sortBasins()
+  void recallSinks()
   {
     const Basins& basins = this->Graph.basins();
-    for (Index basin = 0; basin < basins.count(); ++basin)
-    {
-      const bool is = this->Choice.holdsBasin[basin] != 0;
-      const bool was = !basins.leavesHull(basin) && this->Kept.keepsTet(basins.sink[basin]);
-      if (!is)
+    constexpr std::size_t kGrain = 1 << 12;
+    this->forEach(basins.count(), kGrain,
+      [&](std::size_t from, std::size_t to, BulkReport&)
       {
-        this->Open.add(basin);
-        (was ? this->Opening : this->StillOpen).add(basin);
-      }
-      else if (!was)
-      {
-        this->Closing.add(basin);
-      }
-      if (!is || !was)
-      {
-        this->Concerned.add(basin);
-      }
-    }
-    this->Grows = !this->Closing.isEmpty();
-    this->Shrinks = !this->Opening.isEmpty();
-  }
-
-  /// All that is clear without asking the holders. While its sink is kept, all of a basin is.
-  void recall()
-  {
-    std::ranges::fill(this->State, kStays | kKnown | kWas);
-    this->State[this->Graph.nothing()] = kKnown;
-    const Nodes& tets = this->Graph.tets();
-    const auto recallTets = [&](const BasinRuns& basins, std::uint8_t state)
-    {
-      this->forEach(tets.ofBasin, basins,
-        [&, state](Index i, BulkReport&)
+        for (auto basin = static_cast<Index>(from); basin < to; ++basin)
         {
-          const bool was = this->Kept.keepsTet(tets.name[i]);
-          this->State[i] = static_cast<std::uint8_t>(state | (was ? kWas : 0));
-        });
-    };
-    this->fill(tets, this->Opening, kWas);
-    recallTets(this->StillOpen, 0);
-    recallTets(this->Closing, kStays | kKnown);
-
-    const Nodes& obtuse = this->Graph.obtuse();
-    this->fill(obtuse, this->Opening, kWas);
-    this->fill(obtuse, this->StillOpen, 0); // found out when asked
-    const Nodes& critical = this->Graph.critical();
-    for (const Nodes* nodes : { &obtuse, &critical })
-    {
-      this->forEach(nodes->ofBasin, this->Closing,
-        [&](Index i, BulkReport&)
-        { this->setState(nodes->first + i, this->wasKept(*nodes, i), true); });
-    }
-    this->forEach(critical.ofBasin, this->Opening,
-      [&](Index i, BulkReport&) { this->recallCritical(i, true); });
-    this->forEach(critical.ofBasin, this->StillOpen,
-      [&](Index i, BulkReport&) { this->recallCritical(i, this->wasKept(critical, i)); });
-  }
-
-  /// Of a triangle, once that is clear of the tetrahedra.
-  bool wasKept(const Nodes& nodes, Index i) const
-  {
-    const auto sides = nodes.holdersOf(i).first(2);
-    return ((this->state(sides[0]) | this->state(sides[1])) & kWas) != 0 ||
-      this->Kept.isSheetNamed(nodes.name[i]);
-  }
-
-  void fill(const Nodes& nodes, const BasinRuns& basins, std::uint8_t state)
-  {
-    for (const Range piece : basins.pieces(nodes.ofBasin))
-    {
-      const auto first = this->State.begin() + nodes.first;
-      std::fill(first + piece.begin, first + piece.end, state);
-    }
-  }
-
-  void recallCritical(Index i, bool was)
-  {
-    const Index node = this->Graph.critical().first + i;
-    const bool stays = this->Choice.keepsTriangle(i, was);
-    if (stays)
-    {
-      this->setState(node, was, true);
-    }
-    else
-    {
-      this->State[node] = was ? kWas : 0; // what is beside it may keep it
-    }
-    if (stays != was)
-    {
-      storeRelaxed(stays ? this->Grows : this->Shrinks, true);
-    }
-  }
-
-  void decideAll(const Nodes& nodes)
-  {
-    this->forEach(nodes.ofBasin, this->Open, [&](Index i, BulkReport&) { this->decide(nodes, i); });
-  }
-
-  /// Depth first on an explicit stack: the relation is acyclic.
-  void decide(const Nodes& nodes, Index i)
-  {
-    Index unknown = this->evaluate(nodes, i);
-    if (unknown == kNone)
-    {
-      return;
-    }
-    thread_local std::vector<Index> pending;
-    pending.assign({ nodes.first + i, unknown });
-    while (!pending.empty())
-    {
-      const Nodes& kind = this->kindOf(pending.back());
-      unknown = this->evaluate(kind, pending.back() - kind.first);
-      if (unknown == kNone)
-      {
-        pending.pop_back();
-      }
-      else
-      {
-        pending.push_back(unknown);
-      }
-    }
-  }
-
-  const Nodes& kindOf(Index node) const
-  {
-    return node < this->Graph.obtuse().first ? this->Graph.tets()
-      : node < this->Graph.critical().first  ? this->Graph.obtuse()
-                                             : this->Graph.critical();
-  }
-
-  /// Remembers whether a node stays. If that hangs on a holder that is not known yet, returns it.
-  Index evaluate(const Nodes& nodes, Index i)
-  {
-    const std::uint8_t state = this->state(nodes.first + i);
-    if ((state & kKnown) != 0)
-    {
-      return kNone;
-    }
-    const bool isTet = &nodes == &this->Graph.tets(); // of these it is known
-    const bool was = (state & kWas) != 0 || (!isTet && this->wasKept(nodes, i));
-    bool stays = was;
-    if (was ? this->Shrinks : this->Grows)
-    {
-      stays = false;
-      Index unknown = kNone;
-      for (const Index holder : nodes.holdersOf(i))
-      {
-        const std::uint8_t answer = this->state(holder);
-        if ((answer & kStays) != 0)
-        {
-          stays = true;
-          break;
+          if (!basins.leavesHull(basin))
+          {
+            const Index sink = basins.sink[basin];
+            this->State[this->Graph.nodeOfTet(sink)] =
+              static_cast<std::uint8_t>((this->Choice.holdsBasin[basin] != 0 ? kStays : 0) |
+                (this->Kept.keepsTet(sink) ? kWas : 0));
+          }
         }
-        unknown = (answer & kKnown) == 0 ? holder : unknown;
-      }
-      if (!stays && unknown != kNone)
+      });
+  }
+
+  void decide(const Level& level)
+  {
+    constexpr std::size_t kGrain = 1 << 13;
+    this->forEach(level.end - level.begin, kGrain,
+      [&](std::size_t from, std::size_t to, BulkReport& part)
       {
-        return unknown;
-      }
+        const auto begin = static_cast<Index>(level.begin + from);
+        const auto end = static_cast<Index>(level.begin + to);
+        const Index critical = std::clamp(level.critical, begin, end);
+        for (Index place = begin; place < critical; ++place)
+        {
+          this->State[this->Graph.nodeAt(place)] = this->ofHolders(this->Graph.holdersAt(place));
+        }
+        for (Index place = critical; place < end; ++place)
+        {
+          const Index i = level.firstCritical + place - level.critical;
+          unsigned state = this->ofHolders(this->Graph.holdersAt(place));
+          state |= this->Kept.isSheetNamed(this->Graph.criticalTriangles()[i]) ? kWas : 0;
+          state |= this->Choice.keepsTriangle(i, (state & kWas) != 0) ? kStays : 0;
+          this->State[this->Graph.nodeAt(place)] = static_cast<std::uint8_t>(state);
+          part.criticalTriangles += changeOf(state) < 0 ? 1 : 0;
+          part.change.edges -= changeOf(state); // no edge goes with these alone
+        }
+      });
+  }
+
+  std::uint8_t ofHolders(std::span<const Index> holders) const
+  {
+    unsigned any = 0;
+    for (const Index holder : holders)
+    {
+      any |= this->State[holder];
     }
-    this->setState(nodes.first + i, was, stays);
-    return kNone;
+    return static_cast<std::uint8_t>(any & (kStays | kWas));
   }
 
   void countEdges()
   {
-    constexpr std::uint8_t kBoth = kStays | kWas;
-    const Nodes& edges = this->Graph.edges();
-    this->forEach(edges.ofBasin, this->Concerned,
-      [&](Index edge, BulkReport& part)
+    const CollapseGraph::Holders& edges = this->Graph.edges();
+    constexpr std::size_t kGrain = 1 << 13;
+    this->forEach(edges.count(), kGrain,
+      [&](std::size_t from, std::size_t to, BulkReport& part)
       {
-        std::uint8_t any = 0;
-        for (const Index holder : edges.holdersOf(edge))
+        for (auto edge = static_cast<Index>(from); edge < to; ++edge)
         {
-          any |= this->State[holder];
-          if ((any & kBoth) == kBoth)
-          {
-            return;
-          }
-        }
-        part.change.edges += changeOf(any);
-      });
-  }
-
-  void editTriangles(const Nodes& nodes)
-  {
-    const bool isCritical = &nodes == &this->Graph.critical();
-    this->forEach(nodes.ofBasin, this->Concerned,
-      [&](Index i, BulkReport& part)
-      {
-        this->decide(nodes, i); // critical ones that no other node asked for
-        const std::uint8_t state = this->State[nodes.first + i];
-        const bool stays = (state & kStays) != 0;
-        const int change = changeOf(state);
-        part.change.triangles += change;
-        part.change.edges += isCritical ? 0 : change;
-        part.criticalTriangles += isCritical && change < 0 ? 1 : 0;
-        const auto sides = nodes.holdersOf(i).first(2);
-        const bool isSheet =
-          stays && ((this->State[sides[0]] | this->State[sides[1]]) & kStays) == 0;
-        if (isSheet != this->Kept.isSheetNamed(nodes.name[i]))
-        {
-          this->Kept.setSheetNamed(nodes.name[i], isSheet);
+          part.change.edges += changeOf(this->ofHolders(edges.of(edge)));
         }
       });
   }
 
-  void editTets()
+  void write()
   {
-    this->forEach(this->Graph.tets().ofBasin, this->Concerned,
-      [&](Index i, BulkReport& part)
+    constexpr std::size_t kGrain = 1 << 8;
+    this->forEach(this->Graph.triangleNumbers().wordCount(), kGrain,
+      [&](std::size_t from, std::size_t to, BulkReport& part)
       {
-        const std::uint8_t state = this->State[i];
-        const std::int64_t change = changeOf(state);
-        if (change == 0)
+        for (auto word = static_cast<Index>(from); word < to; ++word)
         {
-          return;
-        }
-        for (const Index tet : this->Graph.membersOf(i))
-        {
-          const int hasOne = this->Flow.isSink(tet) ? 0 : 1;
-          const int hasTwo = this->Flow.hasTwoAttached(tet) ? 1 : 0;
-          part.change.tetrahedra += change;
-          part.change.triangles += change * (hasOne + hasTwo);
-          part.change.edges += change * hasTwo;
-          if (change > 0)
-          {
-            this->Kept.keepTet(tet);
-          }
-          else
-          {
-            this->Kept.dropTet(tet);
-          }
+          this->writeTets(word, this->sheetsIn(word, part.change), part.change);
         }
       });
+  }
+
+  /// The triangles of a word that stay without that beyond, and counts all that come or go.
+  std::uint64_t sheetsIn(Index word, WrapChange& change) const
+  {
+    const FacetNumbers& numbers = this->Graph.triangleNumbers();
+    Index number = numbers.of(word * FacetNumbers::kBits);
+    std::uint64_t sheets = 0;
+    int count = 0;
+    for (std::uint64_t rest = numbers.word(word); rest != 0; rest &= rest - 1)
+    {
+      const CollapseGraph::Triangle triangle = this->Graph.triangle(number++);
+      const unsigned state = this->State[triangle.node];
+      const std::uint64_t isSheet = state & ~this->State[triangle.beyond] & kStays;
+      sheets |= isSheet << std::countr_zero(rest);
+      count += changeOf(state);
+    }
+    change.triangles += count;
+    change.edges += count;
+    return sheets;
+  }
+
+  void writeTets(Index word, std::uint64_t sheets, WrapChange& change)
+  {
+    constexpr Index kCount = FacetNumbers::kBits / 4;
+    const Index begin = kCount * word;
+    const Index end = std::min(begin + kCount, this->Flow.delaunay().tetCount());
+    std::array<unsigned, kCount> stays;
+    int tets = 0;
+    int triangles = 0;
+    int edges = 0;
+    for (Index tet = begin; tet < end; ++tet)
+    {
+      stays[tet - begin] = this->State[this->Graph.nodeOfTet(tet)] & kStays;
+      const int ofTet = static_cast<int>(stays[tet - begin]) - (this->Kept.keepsTet(tet) ? 1 : 0);
+      const int ofSecond = ofTet * static_cast<int>(this->Flow.hasTwoAttached(tet));
+      tets += ofTet;
+      triangles += ofTet * static_cast<int>(!this->Flow.isSink(tet)) + ofSecond;
+      edges += ofSecond;
+    }
+    for (Index tet = begin; tet < end; ++tet)
+    {
+      const unsigned isKept = stays[tet - begin];
+      this->Kept.set(tet, isKept != 0, (isKept - 1U) & sheets >> (4 * (tet - begin)) & 15U);
+    }
+    change += { tets, triangles, edges };
   }
 
   WrapComplex& Kept;
@@ -370,14 +202,7 @@ private:
   const CollapseGraph& Graph;
   const CriticalChoice& Choice;
   Execution& Run;
-  BasinRuns Open;       ///< its sink is not to be kept
-  BasinRuns Opening;    ///< and was
-  BasinRuns StillOpen;  ///< nor was it
-  BasinRuns Closing;    ///< its sink was not kept and is to be
-  BasinRuns Concerned;  ///< its sink is not kept before or after
-  bool Grows = false;   ///< something comes that was not kept
-  bool Shrinks = false; ///< something goes
-  LargeArray<std::uint8_t> State;
+  std::vector<std::uint8_t> State;
   BulkReport Report;
 };
 

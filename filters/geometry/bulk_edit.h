@@ -31,6 +31,13 @@ struct BulkReport
 {
   WrapChange change;
   Index criticalTriangles = 0; ///< that went
+
+  BulkReport& operator+=(const BulkReport& other)
+  {
+    this->change += other.change;
+    this->criticalTriangles += other.criticalTriangles;
+    return *this;
+  }
 };
 
 /// Turns a state that follows the flow into the one with other critical simplices: the same as all

@@ -3,15 +3,12 @@
 #include "filters/geometry/collapse_graph.h"
 
 #include "filters/geometry/collect.h"
-#include "filters/geometry/dominators.h"
 #include "filters/geometry/holders.h"
+#include "filters/geometry/incidence.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <functional>
 #include <numeric>
-#include <utility>
 
 namespace scan
 {
@@ -21,366 +18,351 @@ namespace
 constexpr std::size_t kGrain = 1 << 14;
 constexpr std::size_t kSteps = 4;
 
-/// Items by group. @param groupOf (item) -> group, or kNone to leave the item out
-template <class GroupOf>
-Incidence groupBy(std::size_t count, Index groups, GroupOf&& groupOf)
-{
-  return Incidence(groups, count,
-    [&](std::size_t item, auto&& visit)
-    {
-      const Index group = groupOf(static_cast<Index>(item));
-      if (group != kNone)
-      {
-        visit(group);
-      }
-    });
-}
-
 } // namespace
 
 class CollapseGraph::Builder
 {
 public:
-  Builder(CollapseGraph& graph, Execution& execution)
+  Builder(CollapseGraph& graph, const Representatives& found, Execution& execution)
     : Graph(graph)
     , Flow(graph.flow())
     , Complex(Flow.delaunay())
-    , BasinOf(graph.basins().ofTet)
-    , BasinCount(graph.basins().count())
     , Run(execution)
-    , Found(Flow, execution)
+    , Found(found)
   {
   }
 
   void build()
   {
-    this->Run.step("holders", 1, kSteps);
-    this->numberTets();
-    this->numberTriangles();
-    this->listMembers();
+    this->numberNodes();
+    this->connect();
     this->Run.step("holders", 2, kSteps);
-    this->connectTets();
-    this->connectTriangles(this->Graph.Obtuse);
-    this->connectTriangles(this->Graph.Critical);
-    this->measureCritical();
-    this->findDoors();
+    this->findLevels();
+    this->listInLevels();
+    this->listCritical();
     this->Run.step("holders", 3, kSteps);
     this->connectEdges();
     this->Run.step("holders", kSteps, kSteps);
   }
 
 private:
-  void numberTets()
+  /// Calls act(i) for i in [0, count) in parallel.
+  template <class Act>
+  void forEach(std::size_t count, Act&& act)
   {
-    Nodes& nodes = this->Graph.Tets;
-    const Incidence own = groupBy(this->BasinOf.size(), this->BasinCount,
-      [&](Index tet)
-      {
-        const Upper upper{ true, tet };
-        return this->Found.of(upper) == this->Found.codeOf(upper) ? this->BasinOf[tet] : kNone;
-      });
-    nodes.name = own.items();
-    nodes.ofBasin = own.begins();
-    this->sortByRadius(nodes);
-    this->NumberOfTet.resize(this->BasinOf.size());
-    for (Index i = 0; i < nodes.name.size(); ++i)
-    {
-      this->NumberOfTet[nodes.name[i]] = i;
-    }
-  }
-
-  /// From large to small within a basin: as good as always what holds others comes first.
-  void sortByRadius(Nodes& nodes)
-  {
-    std::vector<std::pair<double, Index>> keys(nodes.name.size());
-    this->Run.parallelFor(this->BasinCount, 16,
-      [&](std::size_t begin, std::size_t end)
-      {
-        const auto first = nodes.ofBasin[begin];
-        const auto last = nodes.ofBasin[end];
-        for (Index i = first; i < last; ++i)
-        {
-          keys[i] = { circumradiusSquared(this->Complex, nodes.name[i]), nodes.name[i] };
-        }
-        for (std::size_t basin = begin; basin < end; ++basin)
-        {
-          std::sort(keys.begin() + nodes.ofBasin[basin], keys.begin() + nodes.ofBasin[basin + 1],
-            std::greater<>());
-        }
-        for (Index i = first; i < last; ++i)
-        {
-          nodes.name[i] = keys[i].second;
-        }
-      });
-  }
-
-  void numberTriangles()
-  {
-    const std::vector<Facet> triangles = collect<Facet>(4 * this->Complex.tetCount(), this->Run,
-      [&](Facet facet, auto& found)
-      {
-        if (this->Complex.canonical(facet) == facet && this->Flow.isFree(facet) &&
-          this->Found.of({ false, facet }) != kNone)
-        {
-          found.push_back(facet);
-        }
-      });
-    this->Named.assign(this->BasinOf.size(), 0);
-    this->RankOf.resize(this->BasinOf.size());
-    for (Index rank = 0; rank < triangles.size(); ++rank)
-    {
-      const Facet facet = triangles[rank];
-      if (this->Named[facet / 4] == 0)
-      {
-        this->RankOf[facet / 4] = rank;
-      }
-      this->Named[facet / 4] |= static_cast<std::uint8_t>(1U << (facet % 4));
-    }
-    LargeArray<Index> home(triangles.size());
-    this->Run.parallelFor(home.size(), kGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t rank = begin; rank < end; ++rank)
-        {
-          home[rank] = this->homeOf(triangles[rank]);
-        }
-      });
-    this->NumberOfRank.resize(triangles.size());
-    Index number = static_cast<Index>(this->Graph.Tets.name.size());
-    for (const bool isObtuse : { true, false })
-    {
-      Nodes& nodes = isObtuse ? this->Graph.Obtuse : this->Graph.Critical;
-      const Incidence grouped = groupBy(triangles.size(), this->BasinCount,
-        [&](Index rank)
-        { return this->Flow.isObtuse(triangles[rank]) == isObtuse ? home[rank] : kNone; });
-      nodes.first = number;
-      nodes.ofBasin = grouped.begins();
-      nodes.name.reserve(grouped.items().size());
-      for (const Index rank : grouped.items())
-      {
-        nodes.name.push_back(triangles[rank]);
-        this->NumberOfRank[rank] = number++;
-      }
-    }
-    this->Nothing = number;
-  }
-
-  /// The basin a triangle is grouped with: on a side that may be held, if there is one.
-  Index homeOf(Facet triangle) const
-  {
-    const Index own = this->BasinOf[triangle / 4];
-    const Index beyond = this->Complex.neighbour(triangle / 4, static_cast<int>(triangle % 4));
-    return this->Graph.basins().leavesHull(own) && beyond != kNone ? this->BasinOf[beyond] : own;
-  }
-
-  /// The number of the node that an upper simplex hangs on, or is.
-  Index numberOf(Upper upper) const
-  {
-    const Dominators::Code code = this->Found.of(upper);
-    if (code == kNone)
-    {
-      return this->Nothing;
-    }
-    const Upper on = this->Found.at(code);
-    if (on.isTet)
-    {
-      return this->NumberOfTet[on.name];
-    }
-    const unsigned before = this->Named[on.name / 4] & ((1U << (on.name % 4)) - 1U);
-    return this
-      ->NumberOfRank[this->RankOf[on.name / 4] + static_cast<Index>(std::popcount(before))];
-  }
-
-  void listMembers()
-  {
-    LargeArray<Index> nodeOf(this->BasinOf.size());
-    this->Run.parallelFor(nodeOf.size(), kGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (auto tet = static_cast<Index>(begin); tet < end; ++tet)
-        {
-          const Index number = this->numberOf({ true, tet });
-          nodeOf[tet] = number == this->Nothing ? kNone : number;
-        }
-      });
-    this->Graph.Members = groupBy(nodeOf.size(), static_cast<Index>(this->Graph.Tets.name.size()),
-      [&](Index tet) { return nodeOf[tet]; });
-  }
-
-  /// Fills in the holders of nodes: addHolders(i, found, begin) appends those of node i.
-  template <class AddHolders>
-  void connect(Nodes& nodes, AddHolders&& addHolders)
-  {
-    nodes.firstHolder.resize(nodes.name.size() + 1);
-    nodes.firstHolder.back() = 0;
-    nodes.holders = collect<Index>(static_cast<Index>(nodes.name.size()), this->Run,
-      [&](Index i, auto& found)
-      {
-        const std::size_t begin = found.size();
-        addHolders(i, found, begin);
-        nodes.firstHolder[i] = static_cast<Index>(found.size() - begin);
-      });
-    std::exclusive_scan(
-      nodes.firstHolder.begin(), nodes.firstHolder.end(), nodes.firstHolder.begin(), Index{ 0 });
-  }
-
-  /// Appends a holder unless it is nothing, or there from `begin` on. Always true.
-  bool addOnce(Upper holder, std::vector<Index>& found, std::size_t begin) const
-  {
-    const Index number = this->numberOf(holder);
-    const auto first = found.begin() + static_cast<std::ptrdiff_t>(begin);
-    if (number != this->Nothing && std::find(first, found.end(), number) == found.end())
-    {
-      found.push_back(number);
-    }
-    return true;
-  }
-
-  /// Critical triangles first: they settle most.
-  static void sortHolders(std::vector<Index>& found, std::size_t begin)
-  {
-    std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), std::greater<>());
-  }
-
-  void connectTets()
-  {
-    this->connect(this->Graph.Tets,
-      [&](Index i, auto& found, std::size_t begin)
-      {
-        const Upper upper{ true, this->Graph.Tets.name[i] };
-        const auto add = [&](Upper holder) { return this->addOnce(holder, found, begin); };
-        forEachNearHolder(this->Flow, upper, add);
-        forEachHolderAround(this->Flow, upper, add);
-        sortHolders(found, begin);
-      });
-  }
-
-  void connectTriangles(Nodes& nodes)
-  {
-    this->connect(nodes,
-      [&](Index i, auto& found, std::size_t begin)
-      {
-        const Facet facet = nodes.name[i];
-        const Index beyond = this->Complex.neighbour(facet / 4, static_cast<int>(facet % 4));
-        found.push_back(this->numberOf({ true, facet / 4 }));
-        found.push_back(beyond == kNone ? this->Nothing : this->numberOf({ true, beyond }));
-        forEachHolderAround(this->Flow, { false, facet },
-          [&](Upper holder) { return this->addOnce(holder, found, begin); });
-        sortHolders(found, begin + 2);
-      });
-  }
-
-  void measureCritical()
-  {
-    const std::vector<Index>& name = this->Graph.Critical.name;
-    this->Graph.Radius.resize(name.size());
-    this->Run.parallelFor(name.size(), kGrain,
+    this->Run.parallelFor(count, kGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          this->Graph.Radius[i] = circumradius(this->Complex, name[i]);
+          act(static_cast<Index>(i));
         }
       });
   }
 
-  void findDoors()
+  bool isNode(Upper upper) const { return this->Found.of(upper) == this->Found.codeOf(upper); }
+
+  /// In the order of their names, triangles after the tetrahedra.
+  void numberNodes()
   {
+    const Index tetCount = this->Complex.tetCount();
+    this->Tets = collect<Index>(tetCount, this->Run,
+      [&](Index tet, auto& found)
+      {
+        if (this->isNode({ true, tet }))
+        {
+          found.push_back(tet);
+        }
+      });
+    const FacetNumbers& numbers = this->Graph.TriangleNumbers;
+    this->Triangles = collect<Facet>(4 * tetCount, this->Run,
+      [&](Facet facet, auto& found)
+      {
+        if (numbers.contains(facet) && this->isNode({ false, facet }))
+        {
+          found.push_back(facet);
+        }
+      });
+    LargeArray<Index>& nodeOfTet = this->Graph.NodeOfTet;
+    LargeArray<Triangle>& triangles = this->Graph.Triangles;
+    nodeOfTet.resize(tetCount);
+    triangles.resize(numbers.count());
+    this->forEach(this->Tets.size(), [&](Index node) { nodeOfTet[this->Tets[node]] = node; });
+    this->forEach(this->Triangles.size(),
+      [&](Index i) {
+        triangles[numbers.of(this->Triangles[i])].node = static_cast<Index>(this->Tets.size() + i);
+      });
+    this->forEach(tetCount,
+      [&](Index tet)
+      {
+        if (!this->isNode({ true, tet }))
+        {
+          nodeOfTet[tet] = this->nodeOf({ true, tet });
+        }
+      });
+    this->forEach(4 * std::size_t{ tetCount },
+      [&](Facet facet)
+      {
+        if (numbers.contains(facet))
+        {
+          const Index beyond = this->Complex.neighbour(facet / 4, static_cast<int>(facet % 4));
+          Triangle& triangle = triangles[numbers.of(facet)];
+          triangle.beyond = beyond == kNone ? this->nothing() : nodeOfTet[beyond];
+          if (!this->isNode({ false, facet }))
+          {
+            triangle.node = this->nodeOf({ false, facet });
+          }
+        }
+      });
+  }
+
+  Index nothing() const { return static_cast<Index>(this->Tets.size() + this->Triangles.size()); }
+
+  Index nodeOf(Upper upper) const
+  {
+    const Representatives::Code code = this->Found.of(upper);
+    if (code == kNone)
+    {
+      return this->nothing();
+    }
+    const Upper node = this->Found.at(code);
+    return node.isTet ? this->Graph.NodeOfTet[node.name]
+                      : this->Graph.Triangles[this->Graph.TriangleNumbers.of(node.name)].node;
+  }
+
+  bool isTet(Index node) const { return node < this->Tets.size(); }
+  Facet triangle(Index node) const { return this->Triangles[node - this->Tets.size()]; }
+  bool isCritical(Index node) const
+  {
+    return !this->isTet(node) && !this->Flow.isObtuse(this->triangle(node));
+  }
+
+  /// Fills in holders: append(i, nodes) appends those of i.
+  template <class Append>
+  void fill(Holders& holders, Append&& append)
+  {
+    holders.first.resize(this->nothing() + 1);
+    holders.first.back() = 0;
+    holders.nodes = collect<Index>(this->nothing(), this->Run,
+      [&](Index i, auto& nodes)
+      {
+        const std::size_t begin = nodes.size();
+        append(i, nodes);
+        holders.first[i] = static_cast<Index>(nodes.size() - begin);
+      });
+    std::exclusive_scan(
+      holders.first.begin(), holders.first.end(), holders.first.begin(), Index{ 0 });
+  }
+
+  /// Appends the node of an upper simplex, if there is one. Always true.
+  bool add(Upper upper, std::vector<Index>& nodes) const
+  {
+    const Index node = this->nodeOf(upper);
+    if (node != this->nothing())
+    {
+      nodes.push_back(node);
+    }
+    return true;
+  }
+
+  static void makeUnique(std::vector<Index>& nodes, std::size_t begin)
+  {
+    const auto first = nodes.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::sort(first, nodes.end());
+    nodes.erase(std::unique(first, nodes.end()), nodes.end());
+  }
+
+  void connect()
+  {
+    this->fill(this->AllHolders,
+      [&](Index node, auto& nodes)
+      {
+        const std::size_t begin = nodes.size();
+        const auto addOne = [&](Upper holder) { return this->add(holder, nodes); };
+        const Upper upper = this->isTet(node) ? Upper{ true, this->Tets[node] }
+                                              : Upper{ false, this->triangle(node) };
+        forEachNearHolder(this->Flow, upper, addOne);
+        forEachHolderAround(this->Flow, upper, addOne);
+        makeUnique(nodes, begin);
+      });
+  }
+
+  /// Depth first on an explicit stack: the relation is acyclic.
+  void findLevels()
+  {
+    this->LevelOf.assign(this->nothing(), kNone);
+    std::vector<Index> pending;
+    for (Index node = 0; node < this->nothing(); ++node)
+    {
+      pending.assign(1, node);
+      while (!pending.empty())
+      {
+        const Index top = pending.back();
+        const std::size_t before = pending.size();
+        Index level = this->isSink(top) ? 0 : 1;
+        for (const Index holder : this->AllHolders.of(top))
+        {
+          if (this->LevelOf[holder] == kNone)
+          {
+            pending.push_back(holder);
+          }
+          else
+          {
+            level = std::max(level, this->LevelOf[holder] + 1);
+          }
+        }
+        if (pending.size() == before)
+        {
+          this->LevelOf[top] = level;
+          pending.pop_back();
+        }
+      }
+    }
+  }
+
+  bool isSink(Index node) const { return this->isTet(node) && this->Flow.isSink(this->Tets[node]); }
+
+  void listInLevels()
+  {
+    const Index levels = this->LevelOf.empty() ? 1 : 1 + *std::ranges::max_element(this->LevelOf);
+    const Incidence parts(2 * std::size_t{ levels }, this->nothing(),
+      [&](std::size_t i, auto&& visit)
+      {
+        const auto node = static_cast<Index>(i);
+        visit(2 * this->LevelOf[node] + (this->isCritical(node) ? 1 : 0));
+      });
+    this->Graph.NodeAt = parts.items();
+    Index critical = 0;
+    for (Index level = 0; level < levels; ++level)
+    {
+      const Index* const begins = &parts.begins()[2 * level];
+      this->Graph.Levels.push_back({ begins[0], begins[1], begins[2], critical });
+      critical += begins[2] - begins[1];
+    }
+    this->fill(this->Graph.HoldersAt,
+      [&](Index place, auto& nodes)
+      { this->appendNeeded(this->AllHolders.of(this->Graph.NodeAt[place]), nodes); });
+  }
+
+  /// Appends those of some holders, sorted, that hold none of the others.
+  void appendNeeded(std::span<const Index> holders, std::vector<Index>& nodes) const
+  {
+    thread_local std::vector<std::uint8_t> isNeeded;
+    isNeeded.assign(holders.size(), 1);
+    for (const Index held : holders)
+    {
+      for (const Index holder : this->AllHolders.of(held))
+      {
+        const auto at = std::ranges::lower_bound(holders, holder);
+        if (at != holders.end() && *at == holder)
+        {
+          isNeeded[at - holders.begin()] = 0;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < holders.size(); ++i)
+    {
+      if (isNeeded[i] != 0)
+      {
+        nodes.push_back(holders[i]);
+      }
+    }
+  }
+
+  void listCritical()
+  {
+    std::vector<Facet>& critical = this->Graph.CriticalTriangles;
+    LargeArray<Index> indexOf(this->Triangles.size());
+    for (const Level& level : this->Graph.Levels)
+    {
+      for (Index place = level.critical; place < level.end; ++place)
+      {
+        const Index node = this->Graph.NodeAt[place];
+        indexOf[node - this->Tets.size()] = static_cast<Index>(critical.size());
+        critical.push_back(this->triangle(node));
+      }
+    }
+    this->Graph.Radius.resize(critical.size());
+    this->forEach(critical.size(),
+      [&](Index i) { this->Graph.Radius[i] = circumradius(this->Complex, critical[i]); });
     const std::span<const Door> doors = this->Graph.TheBlocks.doors();
     this->Graph.IndexOfDoor.resize(doors.size());
-    for (std::size_t d = 0; d < doors.size(); ++d)
-    {
-      this->Graph.IndexOfDoor[d] =
-        this->numberOf({ false, doors[d].triangle }) - this->Graph.Critical.first;
-    }
+    this->forEach(doors.size(),
+      [&](Index d)
+      {
+        this->Graph.IndexOfDoor[d] =
+          indexOf[this->nodeOf({ false, doors[d].triangle }) - this->Tets.size()];
+      });
   }
 
   void connectEdges()
   {
-    // of each edge: its home, the number of its holders, and these
-    const std::vector<Index> records =
-      collect<Index>(static_cast<Index>(this->BasinOf.size()), this->Run,
-        [&](Index tet, auto& found)
-        {
-          forEachCriticalEdge(
-            this->Flow, tet, [](Facet) { return true; },
-            [&](const CriticalEdge& edge) { this->describeEdge(edge, found); });
-        });
-    Nodes& edges = this->Graph.Edges;
-    edges.ofBasin.assign(this->BasinCount + 1, 0);
-    std::vector<Index> placeOfHolders(this->BasinCount + 1, 0);
-    for (std::size_t at = 0; at < records.size(); at += 2 + records[at + 1])
+    // of each edge the number of its holders, and these
+    const std::vector<Index> records = collect<Index>(this->Complex.tetCount(), this->Run,
+      [&](Index tet, auto& found)
+      {
+        forEachCriticalEdge(
+          this->Flow, tet, [](Facet) { return true; },
+          [&](const CriticalEdge& edge) { this->describeEdge(edge, found); });
+      });
+    Holders& edges = this->Graph.Edges;
+    edges.first.assign(1, 0);
+    edges.nodes.reserve(records.size());
+    for (std::size_t at = 0; at < records.size(); at += 1 + records[at])
     {
-      ++edges.ofBasin[records[at] + 1];
-      placeOfHolders[records[at] + 1] += records[at + 1];
-    }
-    std::partial_sum(edges.ofBasin.begin(), edges.ofBasin.end(), edges.ofBasin.begin());
-    std::partial_sum(placeOfHolders.begin(), placeOfHolders.end(), placeOfHolders.begin());
-    edges.firstHolder.resize(edges.ofBasin.back() + 1);
-    edges.firstHolder.back() = placeOfHolders.back();
-    edges.holders.resize(placeOfHolders.back());
-    std::vector<Index> place = edges.ofBasin;
-    for (std::size_t at = 0; at < records.size(); at += 2 + records[at + 1])
-    {
-      const Index home = records[at];
-      edges.firstHolder[place[home]++] = placeOfHolders[home];
-      std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(at + 2), records[at + 1],
-        edges.holders.begin() + placeOfHolders[home]);
-      placeOfHolders[home] += records[at + 1];
+      const auto first = records.begin() + static_cast<std::ptrdiff_t>(at + 1);
+      edges.nodes.insert(edges.nodes.end(), first, first + records[at]);
+      edges.first.push_back(static_cast<Index>(edges.nodes.size()));
     }
   }
 
   void describeEdge(const CriticalEdge& edge, std::vector<Index>& found) const
   {
-    const std::size_t begin = found.size();
-    found.insert(found.end(), { kNone, 0 });
-    const auto add = [&](Upper upper)
-    {
-      this->addOnce(upper, found, begin + 2);
-      const Index home = found[begin];
-      if ((home == kNone || this->Graph.basins().leavesHull(home)) &&
-        this->Found.of(upper) != kNone)
-      {
-        found[begin] = upper.isTet ? this->BasinOf[upper.name] : this->homeOf(upper.name);
-      }
-      return true;
-    };
+    thread_local std::vector<Index> holders;
+    holders.clear();
+    const auto addOne = [&](Upper upper) { return this->add(upper, holders); };
     const Facet start = this->Complex.canonical(edge.triangle);
     if (this->Flow.isFree(start))
     {
-      add({ false, start });
+      addOne({ false, start });
     }
-    forEachUpperAround(this->Flow, edge.triangle, edge.apex, { true, kNone }, add);
-    found[begin + 1] = static_cast<Index>(found.size() - begin - 2);
-    if (found[begin] == kNone)
+    forEachUpperAround(this->Flow, edge.triangle, edge.apex, { true, kNone }, addOne);
+    makeUnique(holders, 0);
+    if (!holders.empty())
     {
-      found.resize(begin);
-    }
-    else
-    {
-      sortHolders(found, begin + 2);
+      const std::size_t begin = found.size();
+      found.push_back(0);
+      this->appendNeeded(holders, found);
+      found[begin] = static_cast<Index>(found.size() - begin - 1);
     }
   }
 
   CollapseGraph& Graph;
   const FlowComplex& Flow;
   const DelaunayComplex& Complex;
-  const std::vector<Index>& BasinOf;
-  Index BasinCount;
   Execution& Run;
-  Dominators Found;
-  LargeArray<Index> NumberOfTet;
-  std::vector<std::uint8_t> Named; ///< per tetrahedron, bit k: its facet k names a node
-  LargeArray<Index> RankOf;        ///< of the first of these among all triangles that are nodes
-  LargeArray<Index> NumberOfRank;
-  Index Nothing = 0;
+  const Representatives& Found;
+  std::vector<Index> Tets;      ///< that are nodes
+  std::vector<Facet> Triangles; ///< that are nodes
+  Holders AllHolders;           ///< of nodes
+  std::vector<Index> LevelOf;   ///< of nodes
 };
 
 CollapseGraph::CollapseGraph(const Blocks& blocks, Execution& execution)
-  : TheBlocks(blocks)
+  : CollapseGraph(blocks, Representatives(blocks.flow(), execution), execution)
 {
-  execution.step("holders", 0, kSteps);
-  Builder(*this, execution).build();
+}
+
+CollapseGraph::CollapseGraph(
+  const Blocks& blocks, const Representatives& found, Execution& execution)
+  : TheBlocks(blocks)
+  , TriangleNumbers(blocks.flow().delaunay(), execution,
+      [&](Facet facet) {
+        return blocks.flow().isFree(facet) && found.of({ false, facet }) != kNone;
+      })
+{
+  execution.step("holders", 1, kSteps);
+  Builder(*this, found, execution).build();
 }
 
 } // namespace scan

@@ -4,8 +4,9 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/blocks.h"
-#include "filters/geometry/incidence.h"
+#include "filters/geometry/facet_numbers.h"
 #include "filters/geometry/large_array.h"
+#include "filters/geometry/representatives.h"
 
 #include <span>
 #include <vector>
@@ -16,67 +17,87 @@ namespace scan
 /// What holds what in the Wrap complex: made once, it tells for every state that follows the flow
 /// what goes, or comes back, with any number of blocks.
 ///
-/// The relation of holders (holders.h), made smaller: a tetrahedron that hangs on another one alone
-/// is a *member* of it (dominators.h). Nodes are the other tetrahedra, all free triangles, and the
-/// critical edges, which hold nothing. What the collapse from outside removes has no place here,
-/// nor have edges that nothing holds. Everything is grouped with a basin: while the sink of that is
-/// kept, it is kept as well. Triangles and edges are grouped with one that has a sink, if they can
-/// be.
+/// The relation of holders (holders.h), made smaller. Nodes are the representatives
+/// (representatives.h) and stand for all that goes and stays with them: sinks, critical triangles,
+/// and few others. Of holders that hold one another only the last ones count.
 class CollapseGraph
 {
 public:
-  /// Nodes of one kind, with numbers that tell the kinds apart. Edges have no names or numbers.
-  struct Nodes
+  /// For each of some things the nodes that hold it.
+  struct Holders
   {
-    Index first = 0;               ///< number of the first one
-    std::vector<Index> name;       ///< tetrahedron or canonical facet
-    std::vector<Index> ofBasin;    ///< of each basin the first one, and one past the last
-    LargeArray<Index> firstHolder; ///< of each node, and one past the last
-    std::vector<Index> holders;    ///< their numbers
+    LargeArray<Index> first; ///< of each, and one past the last
+    std::vector<Index> nodes;
 
-    Index count() const { return static_cast<Index>(this->firstHolder.size() - 1); }
-    std::span<const Index> holdersOf(Index i) const
+    Index count() const { return static_cast<Index>(this->first.size() - 1); }
+    std::span<const Index> of(Index i) const
     {
-      return { this->holders.data() + this->firstHolder[i],
-        this->holders.data() + this->firstHolder[i + 1] };
+      return { this->nodes.data() + this->first[i], this->nodes.data() + this->first[i + 1] };
     }
   };
 
-  /// Walks around every edge; about 150 bytes a point. For at most Dominators::kMostTets
+  /// Nodes whose holders are in levels before, by their places in a list of all.
+  struct Level
+  {
+    Index begin;
+    Index critical; ///< from here on they are critical triangles
+    Index end;
+    Index firstCritical; ///< how many of these there are in levels before
+  };
+
+  /// A free triangle: its node, and that of the tetrahedron beyond the one it is named after.
+  struct Triangle
+  {
+    Index node;
+    Index beyond;
+  };
+
+  /// Walks around every edge; about 130 bytes a point. For at most Representatives::kMostTets
   /// tetrahedra. Reports phase "holders".
   CollapseGraph(const Blocks& blocks, Execution& execution);
 
   const FlowComplex& flow() const { return this->TheBlocks.flow(); }
   const Basins& basins() const { return this->TheBlocks.basins(); }
 
-  /// Tetrahedra; those without holders are the sinks.
-  const Nodes& tets() const { return this->Tets; }
-  /// Free triangles that are not critical. The first two holders are those on their sides.
-  const Nodes& obtuse() const { return this->Obtuse; }
-  /// Critical triangles, with two holders: those on their sides.
-  const Nodes& critical() const { return this->Critical; }
+  Index nodeCount() const { return static_cast<Index>(this->NodeAt.size()); }
+  Index nothing() const { return this->nodeCount(); } ///< the node of what is never kept
+
+  /// The first level are the sinks, which have no holders.
+  std::span<const Level> levels() const { return this->Levels; }
+  Index nodeAt(Index place) const { return this->NodeAt[place]; }
+  std::span<const Index> holdersAt(Index place) const { return this->HoldersAt.of(place); }
+
+  Index nodeOfTet(Index tet) const { return this->NodeOfTet[tet]; }
+
+  /// The free triangles that a critical simplex holds.
+  const FacetNumbers& triangleNumbers() const { return this->TriangleNumbers; }
+  Triangle triangle(Index number) const { return this->Triangles[number]; }
+
+  /// Critical edges that a node holds.
+  const Holders& edges() const { return this->Edges; }
+
+  /// In the order of the list, by canonical facets.
+  std::span<const Facet> criticalTriangles() const { return this->CriticalTriangles; }
   double radiusOf(Index critical) const { return this->Radius[critical]; }
-  const Nodes& edges() const { return this->Edges; }
-  /// The holder that is never kept.
-  Index nothing() const { return this->Critical.first + this->Critical.count(); }
-
-  /// The tetrahedra that hang on node i of tets(), itself among them.
-  std::span<const Index> membersOf(Index i) const { return this->Members.of(i); }
-
-  /// The place in critical() of a door of the blocks.
+  /// The place in criticalTriangles() of a door of the blocks.
   Index indexOfDoor(Index door) const { return this->IndexOfDoor[door]; }
 
 private:
   class Builder;
 
+  CollapseGraph(const Blocks& blocks, const Representatives& found, Execution& execution);
+
   const Blocks& TheBlocks;
-  Nodes Tets;
-  Nodes Obtuse;
-  Nodes Critical;
+  FacetNumbers TriangleNumbers;
+  LargeArray<Triangle> Triangles;
+  LargeArray<Index> NodeOfTet;
+  std::vector<Level> Levels;
+  std::vector<Index> NodeAt;
+  Holders HoldersAt;
+  Holders Edges;
+  std::vector<Facet> CriticalTriangles;
+  LargeArray<double> Radius;
   LargeArray<Index> IndexOfDoor;
-  LargeArray<double> Radius; ///< of the critical triangles
-  Nodes Edges;
-  Incidence Members;
 };
 
 } // namespace scan

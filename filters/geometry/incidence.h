@@ -4,7 +4,6 @@
 
 #include "filters/geometry/mesh.h"
 
-#include <algorithm>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -46,14 +45,6 @@ public:
   /// All items by owner, those of each in decreasing order; where they begin, and the end.
   const std::vector<Index>& items() const { return this->Items; }
   const std::vector<Index>& begins() const { return this->First; }
-
-  /// Puts the items of an owner into another order.
-  template <class Before>
-  void sort(Index owner, Before&& isBefore)
-  {
-    std::sort(this->Items.begin() + this->First[owner],
-      this->Items.begin() + this->First[owner + 1], isBefore);
-  }
 
 private:
   std::vector<Index> First{ 0 };

@@ -91,7 +91,7 @@ public:
     {
       if (block.name != kNone && !block.isSheet)
       {
-        this->forEachInReach(block.name, [](Index) {});
+        this->forEachInReach(block.name, [](Index) { return true; });
       }
     }
     this->addVolumes();
@@ -130,9 +130,9 @@ private:
     goAlong
   };
 
-  /// Calls act(block) for the block, whether it was reached before or not, and, deep, for all
-  /// others that one passes to from there. Lists the doors of them through which one passes in one
-  /// direction at least.
+  /// Calls act(block) -> whether it is kept, for the block, whether it was reached before or not,
+  /// and, deep, for all others that one passes to from there. Lists the doors of them through which
+  /// one passes in one direction at least.
   template <class Act>
   void forEachInReach(Index first, Act&& act)
   {
@@ -142,51 +142,45 @@ private:
     {
       if (next + kAhead < queue.size())
       {
-        this->fetchDoors(queue[next + kAhead]);
+        __builtin_prefetch(this->TheBlocks.waysFrom(queue[next + kAhead]).data());
       }
       const Index block = queue[next];
-      act(block);
+      const bool isGone = !act(block) || !this->State.kept().followsFlow();
       if (std::exchange(this->Progress[block], Progressed::through) == Progressed::through)
       {
         continue;
       }
       this->Reached.push_back(block);
-      for (const Index d : this->TheBlocks.doorsOf(block))
+      for (const Way& way : this->TheBlocks.waysFrom(block))
       {
-        const Door& door = this->TheBlocks.doors()[d];
-        constexpr double kRounding = 1e-9;
-        if (!this->TheBlocks.passes(door, (1.0 + kRounding) * this->Options.reach))
-        {
-          break; // nor through those that follow
-        }
-        if (!this->TheBlocks.passes(door, this->Options.reach))
+        Progressed& progress = this->Progress[way.beyond];
+        if (progress == Progressed::through)
         {
           continue;
         }
-        const Index other = door.a == block ? door.b : door.a;
-        Progressed& progress = this->Progress[other];
-        if (progress != Progressed::through)
+        constexpr double kRounding = 1e-9;
+        const double size = std::min(this->TheBlocks.size(block), this->TheBlocks.size(way.beyond));
+        const double widest = this->Options.reach * way.radius;
+        if (size > (1.0 + kRounding) * widest)
         {
-          this->DoorsInReach.push_back(d);
+          break; // nor through those that follow
         }
-        if (this->Options.deep && progress == Progressed::no && this->TheBlocks.isVolume(other) &&
-          this->TheBlocks.passes(block, door, this->Options.reach))
+        if (size > widest)
+        {
+          continue;
+        }
+        this->DoorsInReach.push_back(way.door);
+        if (isGone)
+        {
+          this->DoorsOfGone.push_back(way.door);
+        }
+        if (this->Options.deep && progress == Progressed::no &&
+          this->TheBlocks.isVolume(way.beyond) && this->TheBlocks.size(block) <= widest)
         {
           progress = Progressed::upTo;
-          queue.push_back(other);
+          queue.push_back(way.beyond);
         }
       }
-    }
-  }
-
-  /// Has the processor fetch the first doors of a block, which lie anywhere in memory.
-  void fetchDoors(Index block) const
-  {
-    constexpr std::size_t kMost = 6;
-    const std::span<const Index> doors = this->TheBlocks.doorsOf(block);
-    for (const Index d : doors.first(std::min(kMost, doors.size())))
-    {
-      __builtin_prefetch(&this->TheBlocks.doors()[d]);
     }
   }
 
@@ -223,14 +217,15 @@ private:
     this->forEachInReach(first,
       [&](Index volume)
       {
-        const bool goes = this->Model.isSolid
+        const bool isKept = this->Model.isSolid
           ? this->removeSolid(volume)
           : this->State.kept().keepsTet(this->TheBlocks.sink(volume));
-        if (goes)
+        if (isKept)
         {
           this->Going.push_back(volume);
           this->Report.blocks.push_back({ .isSheet = false, .name = volume });
         }
+        return isKept;
       });
   }
 
@@ -275,7 +270,7 @@ private:
   std::vector<BlockName> bareDoors() const
   {
     std::vector<BlockName> bare;
-    for (const Index d : this->DoorsInReach)
+    for (const Index d : this->DoorsOfGone)
     {
       const Facet triangle = this->TheBlocks.doors()[d].triangle;
       if (this->Model.current->isSheetNamed(triangle) && this->State.kept().isSheetNamed(triangle))
@@ -334,7 +329,7 @@ private:
     std::vector<std::uint8_t> opened; // per critical triangle of the graph
     if (doors == Doors::goAlong)
     {
-      opened.resize(graph->critical().count(), 0);
+      opened.resize(graph->criticalTriangles().size(), 0);
       for (const Index d : this->DoorsInReach)
       {
         opened[graph->indexOfDoor(d)] = 1;
@@ -413,6 +408,7 @@ private:
   std::vector<Progressed> Progress; ///< per block
   std::vector<Index> Reached;       ///< blocks
   std::vector<Index> DoorsInReach;  ///< of them
+  std::vector<Index> DoorsOfGone;   ///< those of blocks that may have gone before this push
   std::vector<Index> Going;         ///< volumes that are still to be removed
   PushReport Report;
 };

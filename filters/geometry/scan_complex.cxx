@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/scan_complex.h"
 
-#include "filters/geometry/dominators.h"
+#include "filters/geometry/representatives.h"
 
 namespace scan
 {
@@ -38,29 +38,18 @@ const SizeScale& ScanComplex::sizes(Execution& execution) const
 const CollapseGraph* ScanComplex::graphFor(
   const WrapComplex& kept, std::int64_t tets, Execution& execution) const
 {
-  // measured: what it costs to look at one instead of editing it
-  constexpr std::int64_t kAPass = 512;        // of all
-  constexpr std::int64_t kOpen = 16;          // of those in blocks that are gone
-  constexpr std::int64_t kPartOfTheGraph = 2; // to edit this part of all takes as long as the graph
-  std::int64_t cost = this->Delaunay.tetCount() / kAPass;
-  if (!kept.followsFlow() || tets <= cost || this->Delaunay.tetCount() > Dominators::kMostTets)
-  {
-    return nullptr;
-  }
-  const Blocks& blocks = this->blocks(execution);
-  for (Index block = 0; block < blocks.outside(); ++block)
-  {
-    const bool isOpen = blocks.isVolume(block) && !kept.keepsTet(blocks.sink(block));
-    cost += isOpen ? blocks.tetCount(block) / kOpen : 0;
-  }
-  if (tets <= cost)
+  // measured: to look at all of them once takes as long as to edit this part of them
+  constexpr std::int64_t kPartOfAPass = 100;
+  constexpr std::int64_t kPartOfTheGraph = 2; // and to make the graph, this part
+  const std::int64_t all = this->Delaunay.tetCount();
+  if (!kept.followsFlow() || kPartOfAPass * tets <= all || all > Representatives::kMostTets)
   {
     return nullptr;
   }
   {
     const std::scoped_lock lock(this->Guard);
     const std::int64_t edited = this->EditedOneByOne + tets;
-    if (!this->TheGraph && kPartOfTheGraph * edited < this->Delaunay.tetCount())
+    if (!this->TheGraph && kPartOfTheGraph * edited < all)
     {
       this->EditedOneByOne = edited;
       return nullptr;
@@ -83,7 +72,7 @@ const CollapseGraph& ScanComplex::graph(Execution& execution) const
 void ScanComplex::prepareEdits(Execution& execution) const
 {
   this->sizes(execution);
-  if (this->Delaunay.tetCount() <= Dominators::kMostTets)
+  if (this->Delaunay.tetCount() <= Representatives::kMostTets)
   {
     this->graph(execution);
   }

@@ -108,7 +108,7 @@ CriticalChoice SizeScale::choiceOf(
     {
       const double radius = graph.radiusOf(i);
       return was &&
-        (radius <= to || (radius > from && complex.isSheetNamed(graph.critical().name[i])));
+        (radius <= to || (radius > from && complex.isSheetNamed(graph.criticalTriangles()[i])));
     };
   }
   return choice;

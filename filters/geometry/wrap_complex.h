@@ -4,10 +4,8 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/flow_complex.h"
-#include "filters/geometry/relaxed.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -51,18 +49,8 @@ public:
     return this->State[name / 4] >> (name % 4) & 1U;
   }
 
-  /// The same for canonical facets. Several threads may set different ones, and read them.
-  bool isSheetNamed(Facet name) const
-  {
-    return loadRelaxed(this->State[name / 4]) >> (name % 4) & 1U;
-  }
-  void setSheetNamed(Facet name, bool keep)
-  {
-    const std::atomic_ref state(this->State[name / 4]);
-    const auto bit = static_cast<std::uint8_t>(1U << (name % 4));
-    keep ? state.fetch_or(bit, std::memory_order_relaxed)
-         : state.fetch_and(static_cast<std::uint8_t>(~bit), std::memory_order_relaxed);
-  }
+  /// The same for canonical facets.
+  bool isSheetNamed(Facet name) const { return this->State[name / 4] >> (name % 4) & 1U; }
 
   /// The kept tetrahedron beside a boundary triangle.
   Index keptTetAt(Facet boundary) const
@@ -93,6 +81,12 @@ public:
   {
     const Facet name = this->Flow->delaunay().canonical(facet);
     this->State[name / 4] &= static_cast<std::uint8_t>(~(1U << (name % 4)));
+  }
+
+  /// Whether a tetrahedron is kept, and the sheets that are named after it, at once.
+  void set(Index tet, bool keep, unsigned sheets)
+  {
+    this->State[tet] = static_cast<std::uint8_t>((keep ? kTet : 0U) | sheets);
   }
 
   /// Whether this is the union of the lower sets of the critical simplices in it, so that nothing

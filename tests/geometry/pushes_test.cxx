@@ -258,8 +258,8 @@ struct Journey
   std::vector<std::uint8_t> closed; ///< comes
 
   Journey(const CollapseGraph& graph, const Blocks& blocks, std::mt19937_64& random)
-    : opened(graph.critical().count())
-    , closed(graph.critical().count())
+    : opened(graph.criticalTriangles().size())
+    , closed(graph.criticalTriangles().size())
   {
     this->onlyRemoves = random() % 2 == 0;
     for (Index block = 0; block < blocks.outside(); ++block)
@@ -269,7 +269,7 @@ struct Journey
         (!this->onlyRemoves && random() % 2 == 0 ? this->coming : this->leaving).push_back(block);
       }
     }
-    for (Index i = 0; i < graph.critical().count(); ++i)
+    for (Index i = 0; i < graph.criticalTriangles().size(); ++i)
     {
       this->opened[i] = random() % 3 == 0 ? 1 : 0;
       this->closed[i] = !this->onlyRemoves && this->opened[i] == 0 && random() % 8 == 0 ? 1 : 0;
@@ -303,21 +303,21 @@ struct Journey
     {
       editor.addLowerSet(graph.basins().sink[volume], nullptr, execution);
     }
-    for (Index i = 0; i < graph.critical().count(); ++i)
+    for (Index i = 0; i < graph.criticalTriangles().size(); ++i)
     {
       if (this->closed[i] != 0)
       {
-        editor.addLowerSetOfTriangle(graph.critical().name[i], nullptr, execution);
+        editor.addLowerSetOfTriangle(graph.criticalTriangles()[i], nullptr, execution);
       }
     }
     for (bool changed = true; changed;)
     {
       changed = false;
-      for (Index i = 0; i < graph.critical().count(); ++i)
+      for (Index i = 0; i < graph.criticalTriangles().size(); ++i)
       {
-        if (this->opened[i] != 0 && kept.isSheet(graph.critical().name[i]))
+        if (this->opened[i] != 0 && kept.isSheet(graph.criticalTriangles()[i]))
         {
-          editor.removeSheet(graph.critical().name[i]);
+          editor.removeSheet(graph.criticalTriangles()[i]);
           editor.collapse(execution);
           changed = true;
         }
@@ -329,7 +329,7 @@ struct Journey
 Index criticalTrianglesOf(const WrapComplex& kept, const CollapseGraph& graph)
 {
   return static_cast<Index>(std::ranges::count_if(
-    graph.critical().name, [&](Facet facet) { return kept.keepsTriangle(facet); }));
+    graph.criticalTriangles(), [&](Facet facet) { return kept.keepsTriangle(facet); }));
 }
 
 TEST(Pushes, InBulkAndOneByOneAreTheSame)
