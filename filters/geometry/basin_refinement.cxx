@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace scan
@@ -93,35 +94,33 @@ class BasinRefinement
 {
 public:
   BasinRefinement(const Basins& basins, std::vector<MeasuredWall> walls, std::size_t pointCount,
-    FinestGroups finest, std::vector<std::uint8_t> inside)
+    FinestGroups finest, std::vector<std::uint8_t> inside, Execution& execution)
     : Sizes(basins.size)
     , BasinCount(basins.count())
     , RoomCount(static_cast<Index>(inside.size()))
     , FlipCount(finest == FinestGroups::singleBasins ? RoomCount : BasinCount)
     , Walls(std::move(walls))
-    , WallsOfBasin(RoomCount, Walls.size(),
-        [&](std::size_t w, auto&& visit)
-        {
-          visit(this->Walls[w].a);
-          visit(this->Walls[w].b);
-        })
-    , WallsOfPoint(pointCount, Walls.size(),
-        [&](std::size_t w, auto&& visit)
-        { std::for_each(this->Walls[w].vertices.begin(), this->Walls[w].vertices.end(), visit); })
     , Inside(std::move(inside))
     , Cover(pointCount)
     , Touched(RoomCount, 0)
     , Trials(RoomCount)
     , Group(RoomCount)
   {
-    for (const MeasuredWall& wall : this->Walls)
-    {
-      if (this->isCut(wall))
+    const std::array<std::function<void()>, 3> parts{ [&] { this->fileByPoint(); },
+      [&] { this->fileByBasin(); },
+      [&]
       {
-        this->Cover.count(wall.vertices, +1);
-      }
-    }
-    this->takeCensus();
+        this->countCover();
+        this->takeCensus();
+      } };
+    execution.parallelFor(parts.size(), 1,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          parts[i]();
+        }
+      });
   }
 
   /// One sweep at one level; returns whether anything flipped.
@@ -155,6 +154,34 @@ private:
   bool isCut(const MeasuredWall& wall) const
   {
     return this->Inside[wall.a] != this->Inside[wall.b];
+  }
+
+  void fileByPoint()
+  {
+    this->WallsOfPoint = Incidence(this->Cover.pointCount(), this->Walls.size(),
+      [&](std::size_t w, auto&& visit)
+      { std::for_each(this->Walls[w].vertices.begin(), this->Walls[w].vertices.end(), visit); });
+  }
+
+  void fileByBasin()
+  {
+    this->WallsOfBasin = Incidence(this->RoomCount, this->Walls.size(),
+      [&](std::size_t w, auto&& visit)
+      {
+        visit(this->Walls[w].a);
+        visit(this->Walls[w].b);
+      });
+  }
+
+  void countCover()
+  {
+    for (const MeasuredWall& wall : this->Walls)
+    {
+      if (this->isCut(wall))
+      {
+        this->Cover.count(wall.vertices, +1);
+      }
+    }
   }
 
   /// Per basin: its share of the cut and the points it owns.
@@ -340,10 +367,10 @@ private:
   Index RoomCount; ///< basins and rooms of the outside
   Index FlipCount; ///< those that may flip
   std::vector<MeasuredWall> Walls;
-  Incidence WallsOfBasin;
-  Incidence WallsOfPoint;
   std::vector<std::uint8_t> Inside;
   CutCover Cover;
+  Incidence WallsOfBasin;
+  Incidence WallsOfPoint;
 
   std::uint32_t Clock = 0;
   std::uint32_t LastFlip = 0;
@@ -369,7 +396,7 @@ std::vector<std::uint8_t> refineBasins(const FlowComplex& flow, const Basins& ba
 {
   execution.step("refine", 0, 1);
   BasinRefinement refinement(basins, measure(flow, basins, walls, spacing, execution),
-    flow.delaunay().points.size(), finest, std::move(inside));
+    flow.delaunay().points.size(), finest, std::move(inside), execution);
   std::vector<float> levels(kLevels.begin(), kLevels.end());
   if (finest == FinestGroups::singleBasins)
   {
