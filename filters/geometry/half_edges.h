@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
 #include <vector>
@@ -39,6 +40,8 @@ struct EdgePairs
   std::vector<Index> crowded;
   /// Where each such edge begins in `crowded`, and its end.
   std::vector<Index> crowdedBegin = { 0 };
+  /// The smaller half-edge of each pair of misoriented ones, sorted.
+  std::vector<Index> misoriented;
   Index edges = 0;         ///< distinct edges
   Index boundaryEdges = 0; ///< edges with one triangle
 };
@@ -46,6 +49,7 @@ struct EdgePairs
 /// Finds the edges of a mesh in linear time; needs 12 bytes of result and 24 of scratch space a
 /// triangle. Throws Error badInput when a triangle names a missing point and limit beyond
 /// 1.4 thousand million triangles.
-EdgePairs pairEdges(const TriMesh& mesh);
+EdgePairs pairEdges(const TriMesh& mesh, Execution& execution);
+EdgePairs pairEdges(const TriMesh& mesh); ///< on one thread
 
 } // namespace scan

@@ -125,8 +125,8 @@ void Survey::measureEdges()
       continue;
     }
     this->addEdge(half);
-    report.misorientedEdges += mate != kNone && this->origin(mate) == this->origin(half) ? 1 : 0;
   }
+  report.misorientedEdges = static_cast<Index>(this->Pairs.misoriented.size());
   for (std::size_t edge = 0; edge < this->crowdedEdges(); ++edge)
   {
     const std::span<const Index> halves = this->crowded(edge);
@@ -316,13 +316,9 @@ void Survey::conclude()
     report.volume.reset();
   }
   std::vector<bool> isOriented(report.components.size(), true);
-  for (Index half = 0; half < this->Pairs.mate.size(); ++half)
+  for (const Index half : this->Pairs.misoriented)
   {
-    const Index mate = this->Pairs.mate[half];
-    if (mate != kNone && this->origin(mate) == this->origin(half))
-    {
-      isOriented[this->Component[half / 3]] = false;
-    }
+    isOriented[this->Component[half / 3]] = false;
   }
   report.genus = 0;
   for (std::size_t i = 0; i < report.components.size(); ++i)

@@ -7,6 +7,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -39,11 +40,12 @@ struct Sheet
 class Splitter
 {
 public:
-  explicit Splitter(const TriMesh& mesh)
-    : Input(mesh)
-    , Pairs(pairEdges(mesh))
+  Splitter(TriMesh mesh, Execution& execution)
+    : Run(execution)
+    , Pairs(pairEdges(mesh, execution))
     , Twin(std::move(Pairs.mate))
   {
+    this->Result.mesh = std::move(mesh);
   }
 
   SplitResult run();
@@ -52,6 +54,7 @@ private:
   void cutMisoriented();
   std::vector<Wing> turnAround(std::span<const Index> halves) const;
   void matchSheets(std::span<const Index> halves);
+  std::vector<std::uint8_t> pinchedPoints();
   void separateFans();
   void separateSheets(std::span<const Index> halves);
   void join(Index forward, Index backward);
@@ -66,12 +69,17 @@ private:
         this->Pairs.crowdedBegin[edge + 1] - this->Pairs.crowdedBegin[edge]);
   }
   Index& corner(Index half) { return this->Result.mesh.triangles[half / 3][half % 3]; }
+  /// The input point where a half-edge begins.
+  Index originOf(Index half) const
+  {
+    return this->Result.pointOrigin[this->Result.mesh.triangles[half / 3][half % 3]];
+  }
   bool runsForward(Index half) const
   {
-    return originOf(this->Input, half) < originOf(this->Input, nextHalf(half));
+    return this->originOf(half) < this->originOf(nextHalf(half));
   }
 
-  const TriMesh& Input;
+  Execution& Run;
   EdgePairs Pairs;
   std::vector<Index> Twin; // per half-edge: its reverse in the same sheet
   std::vector<bool> HasCopy;
@@ -100,15 +108,12 @@ void Splitter::forFan(Index half, Visit&& visit) const
 
 void Splitter::cutMisoriented()
 {
-  for (Index half = 0; half < this->Twin.size(); ++half)
+  for (const Index half : this->Pairs.misoriented)
   {
-    const Index mate = this->Twin[half];
-    if (mate != kNone && half < mate && originOf(this->Input, half) == originOf(this->Input, mate))
-    {
-      this->Twin[half] = this->Twin[mate] = kNone;
-      ++this->Result.edgesSplit;
-    }
+    this->Twin[this->Twin[half]] = kNone;
+    this->Twin[half] = kNone;
   }
+  this->Result.edgesSplit += static_cast<Index>(this->Pairs.misoriented.size());
 }
 
 /// The triangles at one edge in counter-clockwise order seen against the edge's direction.
@@ -116,11 +121,10 @@ std::vector<Wing> Splitter::turnAround(std::span<const Index> halves) const
 {
   const auto at = [&](Index point)
   {
-    const Vec3& p = this->Input.points[point];
+    const Vec3& p = this->Result.mesh.points[point];
     return Kernel::Point_3(p.x, p.y, p.z);
   };
-  const auto ends =
-    std::minmax({ originOf(this->Input, halves[0]), originOf(this->Input, nextHalf(halves[0])) });
+  const auto ends = std::minmax({ this->originOf(halves[0]), this->originOf(nextHalf(halves[0])) });
   const Kernel::Point_3 low = at(ends.first);
   const Kernel::Point_3 high = at(ends.second);
 
@@ -129,7 +133,7 @@ std::vector<Wing> Splitter::turnAround(std::span<const Index> halves) const
   wings.reserve(halves.size());
   for (const Index half : halves)
   {
-    Wing wing{ half, this->runsForward(half), at(originOf(this->Input, previousHalf(half))), 0 };
+    Wing wing{ half, this->runsForward(half), at(this->originOf(previousHalf(half))), 0 };
     if (CGAL::collinear(low, high, wing.apex))
     {
       wing.sector = 4;
@@ -214,23 +218,52 @@ Index Splitter::copyPoint(Index point)
     ++this->Result.verticesSplit;
   }
   TriMesh& mesh = this->Result.mesh;
-  mesh.points.push_back(this->Input.points[origin]);
+  mesh.points.push_back(Vec3(mesh.points[origin]));
   this->Result.pointOrigin.push_back(origin);
   return static_cast<Index>(mesh.points.size() - 1);
+}
+
+/// The points with several fans.
+std::vector<std::uint8_t> Splitter::pinchedPoints()
+{
+  const std::size_t pointCount = this->Result.mesh.points.size();
+  std::vector<Index> first(pointCount, kNone); // half-edge
+  std::vector<Index> halves(pointCount, 0);
+  std::vector<std::uint8_t> isPinched(pointCount, 0);
+  for (Index half = 0; half < this->Twin.size(); ++half)
+  {
+    const Index point = this->corner(half);
+    first[point] = halves[point]++ == 0 ? half : first[point];
+  }
+  this->Run.parallelFor(pointCount, 1 << 13,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t point = begin; point < end; ++point)
+      {
+        Index inFan = 0;
+        if (first[point] != kNone)
+        {
+          this->forFan(first[point], [&](Index) { ++inFan; });
+        }
+        isPinched[point] = inFan != halves[point] ? 1 : 0;
+      }
+    });
+  return isPinched;
 }
 
 /// Gives every fan its own point: the first keeps the input point, others get copies.
 void Splitter::separateFans()
 {
+  const std::vector<std::uint8_t> isPinched = this->pinchedPoints();
   std::vector<bool> visited(this->Twin.size());
-  std::vector<bool> taken(this->Input.points.size());
+  std::vector<bool> taken(isPinched.size());
   for (Index half = 0; half < this->Twin.size(); ++half)
   {
-    if (visited[half])
+    const Index point = this->originOf(half);
+    if (isPinched[point] == 0 || visited[half])
     {
       continue;
     }
-    const Index point = originOf(this->Input, half);
     const Index own = taken[point] ? this->copyPoint(point) : point;
     taken[point] = true;
     this->forFan(half,
@@ -291,12 +324,12 @@ void Splitter::separateSheets(std::span<const Index> halves)
 
 SplitResult Splitter::run()
 {
+  const std::size_t pointCount = this->Result.mesh.points.size();
   const std::size_t crowdedEdges = this->Pairs.crowdedBegin.size() - 1;
-  this->Result.mesh = this->Input;
-  this->Result.pointOrigin.resize(this->Input.points.size());
+  this->Result.pointOrigin.resize(pointCount);
   std::iota(this->Result.pointOrigin.begin(), this->Result.pointOrigin.end(), Index{ 0 });
   this->Result.edgesSplit = static_cast<Index>(crowdedEdges);
-  this->HasCopy.assign(this->Input.points.size(), false);
+  this->HasCopy.assign(pointCount, false);
 
   this->cutMisoriented();
   for (std::size_t edge = 0; edge < crowdedEdges; ++edge)
@@ -313,9 +346,9 @@ SplitResult Splitter::run()
 
 } // namespace
 
-SplitResult splitNonManifold(const TriMesh& mesh)
+SplitResult splitNonManifold(TriMesh mesh, Execution& execution)
 {
-  return Splitter(mesh).run();
+  return Splitter(std::move(mesh), execution).run();
 }
 
 } // namespace scan

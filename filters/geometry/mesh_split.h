@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
 #include <vector>
@@ -32,6 +33,6 @@ struct SplitResult
 /// joined through that edge instead of cut. A triangle that names a point twice becomes an island.
 ///
 /// Throws Error badInput for an index out of range. Linear time, 40 bytes of scratch a triangle.
-SplitResult splitNonManifold(const TriMesh& mesh);
+SplitResult splitNonManifold(TriMesh mesh, Execution& execution);
 
 } // namespace scan

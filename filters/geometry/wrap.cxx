@@ -125,7 +125,7 @@ std::vector<Facet> boundaryFacets(const WrapComplex& kept, Execution& execution)
 }
 
 /// Moves a surface on all vertices of the complex to the vertices it uses, in the same order.
-void compact(const DelaunayComplex& complex, WrapResult& result)
+void compact(const DelaunayComplex& complex, WrapResult& result, Execution& execution)
 {
   constexpr Index kUsed = kNone - 1;
   std::vector<Index> number(complex.points.size(), kNone);
@@ -154,22 +154,26 @@ void compact(const DelaunayComplex& complex, WrapResult& result)
   }
   const auto renumber = [&](auto& cells)
   {
-    for (auto& cell : cells)
-    {
-      for (Index& v : cell)
+    execution.parallelFor(cells.size(), 1 << 14,
+      [&](std::size_t begin, std::size_t end)
       {
-        v = number[v];
-      }
-    }
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          for (Index& v : cells[i])
+          {
+            v = number[v];
+          }
+        }
+      });
   };
   renumber(result.surface.triangles);
   renumber(result.lines);
 }
 
 /// Splits what is not a manifold and gives the new points the scan points of their originals.
-void makeManifold(WrapResult& result)
+void makeManifold(WrapResult& result, Execution& execution)
 {
-  SplitResult split = splitNonManifold(result.surface);
+  SplitResult split = splitNonManifold(std::move(result.surface), execution);
   std::vector<Index> scanPointIds(split.pointOrigin.size());
   for (std::size_t v = 0; v < scanPointIds.size(); ++v)
   {
@@ -228,14 +232,14 @@ WrapResult surfaceFrom(
     }
   }
   execution.step("surface", 2, 4);
-  compact(complex, result);
+  compact(complex, result, execution);
   result.report.duplicatesMerged = complex.duplicates;
   result.report.pointsRead = static_cast<Index>(complex.points.size()) + complex.duplicates;
   result.report.tetrahedra = complex.tetCount();
   execution.step("surface", 3, 4);
   if (manifold)
   {
-    makeManifold(result);
+    makeManifold(result, execution);
   }
   execution.step("surface", 4, 4);
   return result;

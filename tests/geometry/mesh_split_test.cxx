@@ -14,6 +14,12 @@ using namespace scan;
 namespace
 {
 
+SplitResult splitUp(TriMesh mesh)
+{
+  Execution execution(2);
+  return splitNonManifold(std::move(mesh), execution);
+}
+
 /// What the header promises for every input.
 void expectFaithful(const TriMesh& input, const SplitResult& split)
 {
@@ -41,7 +47,7 @@ void expectFaithful(const TriMesh& input, const SplitResult& split)
 TEST(MeshSplit, LeavesAManifoldAlone)
 {
   const TriMesh torus = corpus::torus(8);
-  const SplitResult split = splitNonManifold(torus);
+  const SplitResult split = splitUp(torus);
   EXPECT_EQ(split.mesh.triangles, torus.triangles);
   EXPECT_EQ(split.mesh.points, torus.points);
   EXPECT_EQ(split.edgesSplit + split.verticesSplit, 0U);
@@ -50,7 +56,7 @@ TEST(MeshSplit, LeavesAManifoldAlone)
 TEST(MeshSplit, PartsTetrahedraOnOneEdge)
 {
   const TriMesh mesh = corpus::tetrahedraOnOneEdge();
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_EQ(split.edgesSplit, 1U);
   EXPECT_EQ(split.verticesSplit, 2U);
@@ -63,7 +69,7 @@ TEST(MeshSplit, PartsTetrahedraOnOneEdge)
 TEST(MeshSplit, PartsTetrahedraOnOnePoint)
 {
   const TriMesh mesh = corpus::tetrahedraOnOnePoint();
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_EQ(split.edgesSplit, 0U);
   EXPECT_EQ(split.verticesSplit, 1U);
@@ -75,7 +81,7 @@ TEST(MeshSplit, FinOnASolidBecomesBoundaryAndTheSolidStaysClosed)
   TriMesh mesh = corpus::tetrahedron();
   mesh.points.push_back({ -1, -1, 0 });
   mesh.triangles.push_back({ 0, 1, 4 });
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_EQ(describeMesh(split.mesh).boundaryEdges, 3U);
 }
@@ -83,7 +89,7 @@ TEST(MeshSplit, FinOnASolidBecomesBoundaryAndTheSolidStaysClosed)
 TEST(MeshSplit, OpensAMoebiusStripAtItsTwist)
 {
   const TriMesh mesh = corpus::moebius();
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_EQ(split.edgesSplit, describeMesh(mesh).misorientedEdges);
 }
@@ -92,7 +98,7 @@ TEST(MeshSplit, FlippedTriangleBecomesAnIsland)
 {
   TriMesh mesh = corpus::torus(8);
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_EQ(split.edgesSplit, 3U);
   EXPECT_EQ(describeMesh(split.mesh).components.size(), 2U);
@@ -103,15 +109,15 @@ TEST(MeshSplit, DuplicateTrianglesLeaveTheSolidWhole)
   TriMesh mesh = corpus::tetrahedron();
   mesh.triangles.push_back(mesh.triangles[0]);
   mesh.triangles.push_back({ mesh.triangles[0][1], mesh.triangles[0][0], mesh.triangles[0][2] });
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_TRUE(describeMesh(split.mesh).isClosed); // balanced in, closed out
 }
 
 TEST(MeshSplit, KeepsUnusedPointsAndTakesAnEmptyMesh)
 {
-  EXPECT_EQ(splitNonManifold({ { { 1, 2, 3 } }, {} }).mesh.points.size(), 1U);
-  EXPECT_TRUE(splitNonManifold({}).mesh.points.empty());
+  EXPECT_EQ(splitUp({ { { 1, 2, 3 } }, {} }).mesh.points.size(), 1U);
+  EXPECT_TRUE(splitUp({}).mesh.points.empty());
 }
 
 // Two cubes diagonal to each other between two full layers touch along one edge. The solid is
@@ -121,7 +127,7 @@ TEST(MeshSplit, JoinsThroughAnEdgeThatCannotBeParted)
 {
   const TriMesh mesh = corpus::voxelBorder(
     3, [](Index i, Index j, Index k) { return i < 2 && j < 2 && (k != 1 || i == j); });
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   expectFaithful(mesh, split);
   EXPECT_EQ(split.edgesSplit, 1U);
   EXPECT_EQ(split.verticesSplit, 2U);
@@ -144,7 +150,7 @@ TEST(MeshSplit, BorderOfAnySolidStaysClosedWithItsVolume)
     }
     const TriMesh mesh =
       corpus::voxelBorder(6, [&](Index i, Index j, Index k) { return solid[i + 6 * j + 36 * k]; });
-    const SplitResult split = splitNonManifold(mesh);
+    const SplitResult split = splitUp(mesh);
     expectFaithful(mesh, split);
     const MeshReport report = describeMesh(split.mesh);
     EXPECT_TRUE(report.isClosed);
@@ -175,7 +181,7 @@ TEST(MeshSplit, AnyTriangleSoupComesOutManifold)
       }
       mesh.triangles.push_back({ a, b, c });
     }
-    expectFaithful(mesh, splitNonManifold(mesh));
+    expectFaithful(mesh, splitUp(mesh));
   }
 }
 
@@ -183,7 +189,7 @@ TEST(MeshSplit, CollapsedTriangleBecomesAnIsland)
 {
   TriMesh mesh = corpus::tetrahedron();
   mesh.triangles.push_back({ 0, 0, 1 });
-  const SplitResult split = splitNonManifold(mesh);
+  const SplitResult split = splitUp(mesh);
   const Triangle& island = split.mesh.triangles.back();
   EXPECT_NE(island[0], island[1]);
   EXPECT_EQ(describeMesh(split.mesh).boundaryEdges, 3U);
