@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/bulk_edit.h"
 
+#include "filters/geometry/relaxed.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
-#include <cstdio>
 #include <mutex>
 #include <span>
 
@@ -38,8 +38,7 @@ public:
     {
       this->decide(level);
     }
-    this->countEdges();
-    this->write();
+    this->write(this->changedPieces());
     return this->Report;
   }
 
@@ -47,6 +46,8 @@ private:
   // of a node
   static constexpr unsigned kStays = 1;
   static constexpr unsigned kWas = 2;
+
+  static constexpr Index kTetsAWord = FacetNumbers::kBits / 4;
 
   static int changeOf(unsigned state)
   {
@@ -80,8 +81,8 @@ private:
           if (!basins.leavesHull(basin))
           {
             const Index sink = basins.sink[basin];
-            this->State[this->Graph.nodeOfTet(sink)] =
-              static_cast<std::uint8_t>((this->Choice.holdsBasin[basin] != 0 ? kStays : 0) |
+            this->set(this->Graph.nodeOfTet(sink),
+              (this->Choice.holdsBasin[basin] != 0 ? kStays : 0) |
                 (this->Kept.keepsTet(sink) ? kWas : 0));
           }
         }
@@ -99,7 +100,7 @@ private:
         const Index critical = std::clamp(level.critical, begin, end);
         for (Index place = begin; place < critical; ++place)
         {
-          this->State[this->Graph.nodeAt(place)] = this->ofHolders(this->Graph.holdersAt(place));
+          this->set(this->Graph.nodeAt(place), this->ofHolders(this->Graph.holdersAt(place)));
         }
         for (Index place = critical; place < end; ++place)
         {
@@ -107,94 +108,133 @@ private:
           unsigned state = this->ofHolders(this->Graph.holdersAt(place));
           state |= this->Kept.isSheetNamed(this->Graph.criticalTriangles()[i]) ? kWas : 0;
           state |= this->Choice.keepsTriangle(i, (state & kWas) != 0) ? kStays : 0;
-          this->State[this->Graph.nodeAt(place)] = static_cast<std::uint8_t>(state);
+          this->set(this->Graph.nodeAt(place), state);
           part.criticalTriangles += changeOf(state) < 0 ? 1 : 0;
           part.change.edges -= changeOf(state); // no edge goes with these alone
         }
       });
   }
 
-  std::uint8_t ofHolders(std::span<const Index> holders) const
+  unsigned ofHolders(std::span<const Index> holders) const
   {
     unsigned any = 0;
     for (const Index holder : holders)
     {
       any |= this->State[holder];
     }
-    return static_cast<std::uint8_t>(any & (kStays | kWas));
+    return any;
   }
 
-  void countEdges()
+  void set(Index node, unsigned state) { this->State[node] = static_cast<std::uint8_t>(state); }
+
+  /// The pieces in which something changes.
+  std::vector<Index> changedPieces()
   {
-    const CollapseGraph::Holders& edges = this->Graph.edges();
-    constexpr std::size_t kGrain = 1 << 13;
-    this->forEach(edges.count(), kGrain,
-      [&](std::size_t from, std::size_t to, BulkReport& part)
+    constexpr std::ptrdiff_t kMany = 8; // part of the nodes that are in nearly every piece
+    const bool areMany = kMany *
+        std::ranges::count_if(this->State, [](unsigned state) { return changeOf(state) != 0; }) >
+      std::ssize(this->State);
+    std::vector<std::uint8_t> hasChange(this->Graph.pieceCount(), areMany ? 1 : 0);
+    constexpr std::size_t kGrain = 1 << 14;
+    this->Run.parallelFor(areMany ? 0 : this->Graph.nodeCount(), kGrain,
+      [&](std::size_t begin, std::size_t end)
       {
-        for (auto edge = static_cast<Index>(from); edge < to; ++edge)
+        for (auto node = static_cast<Index>(begin); node < end; ++node)
         {
-          part.change.edges += changeOf(this->ofHolders(edges.of(edge)));
+          if (changeOf(this->State[node]) != 0)
+          {
+            for (const Index piece : this->Graph.piecesOfNodes().of(node))
+            {
+              storeRelaxed(hasChange[piece], std::uint8_t{ 1 });
+            }
+          }
         }
       });
-  }
-
-  void write()
-  {
-    constexpr std::size_t kGrain = 1 << 8;
-    this->forEach(this->Graph.triangleNumbers().wordCount(), kGrain,
-      [&](std::size_t from, std::size_t to, BulkReport& part)
-      {
-        for (auto word = static_cast<Index>(from); word < to; ++word)
-        {
-          this->writeTets(word, this->sheetsIn(word, part.change), part.change);
-        }
-      });
-  }
-
-  /// The triangles of a word that stay without that beyond, and counts all that come or go.
-  std::uint64_t sheetsIn(Index word, WrapChange& change) const
-  {
-    const FacetNumbers& numbers = this->Graph.triangleNumbers();
-    Index number = numbers.of(word * FacetNumbers::kBits);
-    std::uint64_t sheets = 0;
-    int count = 0;
-    for (std::uint64_t rest = numbers.word(word); rest != 0; rest &= rest - 1)
+    std::vector<Index> changed;
+    for (Index piece = 0; piece < hasChange.size(); ++piece)
     {
-      const CollapseGraph::Triangle triangle = this->Graph.triangle(number++);
-      const unsigned state = this->State[triangle.node];
-      const std::uint64_t isSheet = state & ~this->State[triangle.beyond] & kStays;
-      sheets |= isSheet << std::countr_zero(rest);
-      count += changeOf(state);
+      if (hasChange[piece] != 0)
+      {
+        changed.push_back(piece);
+      }
     }
-    change.triangles += count;
-    change.edges += count;
-    return sheets;
+    return changed;
   }
 
-  void writeTets(Index word, std::uint64_t sheets, WrapChange& change)
+  void write(const std::vector<Index>& pieces)
   {
-    constexpr Index kCount = FacetNumbers::kBits / 4;
-    const Index begin = kCount * word;
-    const Index end = std::min(begin + kCount, this->Flow.delaunay().tetCount());
-    std::array<unsigned, kCount> stays;
+    this->forEach(pieces.size(), 1,
+      [&](std::size_t from, std::size_t to, BulkReport& part)
+      {
+        for (std::size_t i = from; i < to; ++i)
+        {
+          part.change += this->write(pieces[i]);
+          part.change.edges += this->edgesOf(pieces[i]);
+        }
+      });
+  }
+
+  std::int64_t edgesOf(Index piece) const
+  {
+    const Index end = this->Graph.firstEdge(piece + 1);
+    int change = 0;
+    for (Index edge = this->Graph.firstEdge(piece); edge < end; ++edge)
+    {
+      change += changeOf(this->ofHolders(this->Graph.edges().of(edge)));
+    }
+    return change;
+  }
+
+  /// Without branches, which would be guesses.
+  WrapChange write(Index piece)
+  {
+    const Index begin = CollapseGraph::kTetsAPiece * piece;
+    const Index end =
+      std::min(begin + CollapseGraph::kTetsAPiece, this->Flow.delaunay().tetCount());
+    Index triangle = this->Graph.triangleNumbers().of(4 * begin);
     int tets = 0;
     int triangles = 0;
     int edges = 0;
-    for (Index tet = begin; tet < end; ++tet)
+    for (Index first = begin; first < end; first += kTetsAWord)
     {
-      stays[tet - begin] = this->State[this->Graph.nodeOfTet(tet)] & kStays;
-      const int ofTet = static_cast<int>(stays[tet - begin]) - (this->Kept.keepsTet(tet) ? 1 : 0);
-      const int ofSecond = ofTet * static_cast<int>(this->Flow.hasTwoAttached(tet));
-      tets += ofTet;
-      triangles += ofTet * static_cast<int>(!this->Flow.isSink(tet)) + ofSecond;
-      edges += ofSecond;
+      int count = 0;
+      const std::uint64_t sheets = this->sheetsFrom(first, triangle, count);
+      triangles += count;
+      edges += count;
+      std::array<unsigned, kTetsAWord> stays;
+      const Index last = std::min(first + kTetsAWord, end);
+      for (Index tet = first; tet < last; ++tet)
+      {
+        const unsigned isKept = this->State[this->Graph.nodeOfTet(tet)] & kStays;
+        const int ofTet = static_cast<int>(isKept) - static_cast<int>(this->Kept.keepsTet(tet));
+        const int ofSecond = ofTet * static_cast<int>(this->Flow.hasTwoAttached(tet));
+        tets += ofTet;
+        triangles += ofTet * static_cast<int>(!this->Flow.isSink(tet)) + ofSecond;
+        edges += ofSecond;
+        stays[tet - first] = isKept;
+      }
+      for (Index tet = first; tet < last; ++tet)
+      {
+        const unsigned isKept = stays[tet - first];
+        this->Kept.set(tet, isKept != 0, (isKept - 1U) & sheets >> (4 * (tet - first)) & 15U);
+      }
     }
-    for (Index tet = begin; tet < end; ++tet)
+    return { tets, triangles, edges };
+  }
+
+  /// The triangles of a word that stay without that beyond, and counts all that come or go.
+  std::uint64_t sheetsFrom(Index tet, Index& triangle, int& change) const
+  {
+    std::uint64_t sheets = 0;
+    for (std::uint64_t rest = this->Graph.triangleNumbers().word(tet / kTetsAWord); rest != 0;
+         rest &= rest - 1)
     {
-      const unsigned isKept = stays[tet - begin];
-      this->Kept.set(tet, isKept != 0, (isKept - 1U) & sheets >> (4 * (tet - begin)) & 15U);
+      const auto [node, beyond] = this->Graph.triangle(triangle++);
+      const unsigned state = this->State[node];
+      sheets |= std::uint64_t{ state & ~this->State[beyond] & kStays } << std::countr_zero(rest);
+      change += changeOf(state);
     }
-    change += { tets, triangles, edges };
+    return sheets;
   }
 
   WrapComplex& Kept;
@@ -202,7 +242,7 @@ private:
   const CollapseGraph& Graph;
   const CriticalChoice& Choice;
   Execution& Run;
-  std::vector<std::uint8_t> State;
+  std::vector<std::uint8_t> State; ///< of nodes
   BulkReport Report;
 };
 

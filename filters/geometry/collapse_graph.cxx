@@ -4,11 +4,11 @@
 
 #include "filters/geometry/collect.h"
 #include "filters/geometry/holders.h"
-#include "filters/geometry/incidence.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace scan
 {
@@ -42,6 +42,7 @@ public:
     this->listCritical();
     this->Run.step("holders", 3, kSteps);
     this->connectEdges();
+    this->findPieces();
     this->Run.step("holders", kSteps, kSteps);
   }
 
@@ -297,26 +298,29 @@ private:
 
   void connectEdges()
   {
-    // of each edge the number of its holders, and these
+    // of each edge its piece, the number of its holders, and these
     const std::vector<Index> records = collect<Index>(this->Complex.tetCount(), this->Run,
       [&](Index tet, auto& found)
       {
         forEachCriticalEdge(
           this->Flow, tet, [](Facet) { return true; },
-          [&](const CriticalEdge& edge) { this->describeEdge(edge, found); });
+          [&](const CriticalEdge& edge) { this->describeEdge(edge, tet / kTetsAPiece, found); });
       });
     Holders& edges = this->Graph.Edges;
+    std::vector<Index>& firstEdge = this->Graph.FirstEdge;
     edges.first.assign(1, 0);
     edges.nodes.reserve(records.size());
-    for (std::size_t at = 0; at < records.size(); at += 1 + records[at])
+    for (std::size_t at = 0; at < records.size(); at += 2 + records[at + 1])
     {
-      const auto first = records.begin() + static_cast<std::ptrdiff_t>(at + 1);
-      edges.nodes.insert(edges.nodes.end(), first, first + records[at]);
+      firstEdge.resize(records[at] + 1, edges.count());
+      const auto first = records.begin() + static_cast<std::ptrdiff_t>(at + 2);
+      edges.nodes.insert(edges.nodes.end(), first, first + records[at + 1]);
       edges.first.push_back(static_cast<Index>(edges.nodes.size()));
     }
+    firstEdge.resize((this->Complex.tetCount() + kTetsAPiece - 1) / kTetsAPiece + 1, edges.count());
   }
 
-  void describeEdge(const CriticalEdge& edge, std::vector<Index>& found) const
+  void describeEdge(const CriticalEdge& edge, Index piece, std::vector<Index>& found) const
   {
     thread_local std::vector<Index> holders;
     holders.clear();
@@ -331,9 +335,60 @@ private:
     if (!holders.empty())
     {
       const std::size_t begin = found.size();
-      found.push_back(0);
+      found.insert(found.end(), { piece, 0 });
       this->appendNeeded(holders, found);
-      found[begin] = static_cast<Index>(found.size() - begin - 1);
+      found[begin + 1] = static_cast<Index>(found.size() - begin - 2);
+    }
+  }
+
+  void findPieces()
+  {
+    std::vector<std::vector<Index>> nodesOf(this->Graph.pieceCount());
+    constexpr std::size_t kGrain = 64;
+    this->Run.parallelFor(nodesOf.size(), kGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        thread_local std::vector<std::uint8_t> isListed;
+        isListed.resize(std::max<std::size_t>(isListed.size(), this->nothing() + 1), 0);
+        for (std::size_t piece = begin; piece < end; ++piece)
+        {
+          std::vector<Index>& nodes = nodesOf[piece];
+          this->forEachNodeIn(static_cast<Index>(piece),
+            [&](Index node)
+            {
+              if (std::exchange(isListed[node], 1) == 0)
+              {
+                nodes.push_back(node);
+              }
+            });
+          std::ranges::for_each(nodes, [&](Index node) { isListed[node] = 0; });
+        }
+      });
+    this->Graph.PiecesOfNodes = Incidence(this->nothing() + 1, nodesOf.size(),
+      [&](std::size_t piece, auto&& visit)
+      { std::for_each(nodesOf[piece].begin(), nodesOf[piece].end(), visit); });
+  }
+
+  /// Some of them more than once.
+  template <class Visit>
+  void forEachNodeIn(Index piece, Visit&& visit) const
+  {
+    const FacetNumbers& numbers = this->Graph.TriangleNumbers;
+    const Holders& edges = this->Graph.Edges;
+    const Index begin = kTetsAPiece * piece;
+    const Index end = std::min(begin + kTetsAPiece, this->Complex.tetCount());
+    for (Index tet = begin; tet < end; ++tet)
+    {
+      visit(this->Graph.NodeOfTet[tet]);
+    }
+    for (Index i = numbers.of(4 * begin); i < numbers.of(4 * end); ++i)
+    {
+      visit(this->Graph.Triangles[i].node);
+      visit(this->Graph.Triangles[i].beyond);
+    }
+    for (Index i = this->Graph.firstEdge(piece); i < this->Graph.firstEdge(piece + 1); ++i)
+    {
+      std::ranges::for_each(edges.of(i), visit);
     }
   }
 

@@ -5,6 +5,7 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/blocks.h"
 #include "filters/geometry/facet_numbers.h"
+#include "filters/geometry/incidence.h"
 #include "filters/geometry/large_array.h"
 #include "filters/geometry/representatives.h"
 
@@ -76,6 +77,15 @@ public:
   /// Critical edges that a node holds.
   const Holders& edges() const { return this->Edges; }
 
+  /// Pieces of the complex: so many tetrahedra each, with the triangles named after them.
+  static constexpr Index kTetsAPiece = 1 << 10;
+  /// A node and the pieces in which it is the node of a tetrahedron or on a side of a triangle, or
+  /// holds an edge: what it changes is there.
+  const Incidence& piecesOfNodes() const { return this->PiecesOfNodes; }
+  Index pieceCount() const { return static_cast<Index>(this->FirstEdge.size() - 1); }
+  /// The first edge of a piece, or one past all.
+  Index firstEdge(Index piece) const { return this->FirstEdge[piece]; }
+
   /// In the order of the list, by canonical facets.
   std::span<const Facet> criticalTriangles() const { return this->CriticalTriangles; }
   double radiusOf(Index critical) const { return this->Radius[critical]; }
@@ -95,6 +105,8 @@ private:
   std::vector<Index> NodeAt;
   Holders HoldersAt;
   Holders Edges;
+  std::vector<Index> FirstEdge;
+  Incidence PiecesOfNodes;
   std::vector<Facet> CriticalTriangles;
   LargeArray<double> Radius;
   LargeArray<Index> IndexOfDoor;

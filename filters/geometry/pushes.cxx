@@ -142,7 +142,9 @@ private:
     {
       if (next + kAhead < queue.size())
       {
-        __builtin_prefetch(this->TheBlocks.waysFrom(queue[next + kAhead]).data());
+        const Index soon = queue[next + kAhead];
+        __builtin_prefetch(this->TheBlocks.waysFrom(soon).data());
+        this->State.kept().prefetch(this->TheBlocks.sink(soon));
       }
       const Index block = queue[next];
       const bool isGone = !act(block) || !this->State.kept().followsFlow();
@@ -151,6 +153,7 @@ private:
         continue;
       }
       this->Reached.push_back(block);
+      const double own = this->TheBlocks.size(block);
       for (const Way& way : this->TheBlocks.waysFrom(block))
       {
         Progressed& progress = this->Progress[way.beyond];
@@ -159,7 +162,7 @@ private:
           continue;
         }
         constexpr double kRounding = 1e-9;
-        const double size = std::min(this->TheBlocks.size(block), this->TheBlocks.size(way.beyond));
+        const double size = std::min(own, this->TheBlocks.size(way.beyond));
         const double widest = this->Options.reach * way.radius;
         if (size > (1.0 + kRounding) * widest)
         {
@@ -175,7 +178,7 @@ private:
           this->DoorsOfGone.push_back(way.door);
         }
         if (this->Options.deep && progress == Progressed::no &&
-          this->TheBlocks.isVolume(way.beyond) && this->TheBlocks.size(block) <= widest)
+          this->TheBlocks.isVolume(way.beyond) && own <= widest)
         {
           progress = Progressed::upTo;
           queue.push_back(way.beyond);

@@ -39,7 +39,7 @@ const CollapseGraph* ScanComplex::graphFor(
   const WrapComplex& kept, std::int64_t tets, Execution& execution) const
 {
   // measured: to look at all of them once takes as long as to edit this part of them
-  constexpr std::int64_t kPartOfAPass = 100;
+  constexpr std::int64_t kPartOfAPass = 256;
   constexpr std::int64_t kPartOfTheGraph = 2; // and to make the graph, this part
   const std::int64_t all = this->Delaunay.tetCount();
   if (!kept.followsFlow() || kPartOfAPass * tets <= all || all > Representatives::kMostTets)
