@@ -41,9 +41,9 @@ struct BulkReport
 };
 
 /// Turns a state that follows the flow into the one with other critical simplices: the same as all
-/// collapses and additions one after the other, in any order. Each interval is decided once, in
-/// parallel. Time follows the basins that are not held, before or after; one byte a node. After
-/// Cancelled the state is of no use.
+/// collapses and additions one after the other, in any order. Each node of the graph is decided
+/// once, holders first, in parallel; the state is written where something changes. One byte a node.
+/// After Cancelled the state is of no use.
 /// Edelsbrunner, "Surface reconstruction by wrapping finite sets in space" (2003), section 6.
 BulkReport editInBulk(WrapComplex& kept, const CollapseGraph& graph, const CriticalChoice& choice,
   Execution& execution);

@@ -35,6 +35,7 @@ public:
   void build()
   {
     this->numberNodes();
+    this->spreadNodes();
     this->connect();
     this->Run.step("holders", 2, kSteps);
     this->findLevels();
@@ -84,15 +85,24 @@ private:
           found.push_back(facet);
         }
       });
-    LargeArray<Index>& nodeOfTet = this->Graph.NodeOfTet;
-    LargeArray<Triangle>& triangles = this->Graph.Triangles;
-    nodeOfTet.resize(tetCount);
-    triangles.resize(numbers.count());
-    this->forEach(this->Tets.size(), [&](Index node) { nodeOfTet[this->Tets[node]] = node; });
+    this->Graph.NodeOfTet.resize(tetCount);
+    this->Graph.Triangles.resize(numbers.count());
+    this->forEach(
+      this->Tets.size(), [&](Index node) { this->Graph.NodeOfTet[this->Tets[node]] = node; });
     this->forEach(this->Triangles.size(),
-      [&](Index i) {
-        triangles[numbers.of(this->Triangles[i])].node = static_cast<Index>(this->Tets.size() + i);
+      [&](Index i)
+      {
+        this->Graph.Triangles[numbers.of(this->Triangles[i])].node =
+          static_cast<Index>(this->Tets.size() + i);
       });
+  }
+
+  /// Gives all others the node of their representative.
+  void spreadNodes()
+  {
+    const Index tetCount = this->Complex.tetCount();
+    const FacetNumbers& numbers = this->Graph.TriangleNumbers;
+    LargeArray<Index>& nodeOfTet = this->Graph.NodeOfTet;
     this->forEach(tetCount,
       [&](Index tet)
       {
@@ -104,15 +114,16 @@ private:
     this->forEach(4 * std::size_t{ tetCount },
       [&](Facet facet)
       {
-        if (numbers.contains(facet))
+        if (!numbers.contains(facet))
         {
-          const Index beyond = this->Complex.neighbour(facet / 4, static_cast<int>(facet % 4));
-          Triangle& triangle = triangles[numbers.of(facet)];
-          triangle.beyond = beyond == kNone ? this->nothing() : nodeOfTet[beyond];
-          if (!this->isNode({ false, facet }))
-          {
-            triangle.node = this->nodeOf({ false, facet });
-          }
+          return;
+        }
+        Triangle& triangle = this->Graph.Triangles[numbers.of(facet)];
+        const Index beyond = this->Complex.neighbour(facet / 4, static_cast<int>(facet % 4));
+        triangle.beyond = beyond == kNone ? this->nothing() : nodeOfTet[beyond];
+        if (!this->isNode({ false, facet }))
+        {
+          triangle.node = this->nodeOf({ false, facet });
         }
       });
   }

@@ -11,10 +11,10 @@
 namespace scan
 {
 
-/// For each upper simplex (holders.h) another one, if one is found, that stays exactly when it
-/// does, in every state that follows the flow. It is the only holder; or the only one that holds
-/// none of the others, as a holder goes only when all that it holds can, or is left out when one of
-/// these stays. What nothing critical holds has none: it goes with the collapse from outside.
+/// For each upper simplex (holders.h) another one that stays exactly when it does, in every state
+/// that follows the flow, where one is found. It is the only holder; or, of several, the only one
+/// that holds none of the others: when any of them stays so does what that holds, and in the end
+/// this one. What nothing critical holds has none: it goes with the collapse from outside.
 class Representatives
 {
 public:

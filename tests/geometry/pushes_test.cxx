@@ -364,6 +364,52 @@ TEST(Pushes, InBulkAndOneByOneAreTheSame)
   }
 }
 
+/// How many tetrahedra and free triangles are kept, or not, unlike their representatives.
+Index strayed(const Representatives& found, const WrapComplex& kept)
+{
+  const FlowComplex& flow = kept.flow();
+  const auto keeps = [&](Upper upper)
+  { return upper.isTet ? kept.keepsTet(upper.name) : kept.keepsTriangle(upper.name); };
+  const auto strays = [&](Upper upper)
+  {
+    const Representatives::Code code = found.of(upper);
+    return keeps(upper) != (code != kNone && keeps(found.at(code))) ? 1 : 0;
+  };
+  Index count = 0;
+  for (Index tet = 0; tet < flow.delaunay().tetCount(); ++tet)
+  {
+    count += strays({ true, tet });
+    for (Facet facet = 4 * tet; facet < 4 * tet + 4; ++facet)
+    {
+      const bool isOne = flow.delaunay().canonical(facet) == facet && flow.isFree(facet);
+      count += isOne ? strays({ false, facet }) : 0;
+    }
+  }
+  return count;
+}
+
+TEST(Representatives, StayAndGoWithWhatTheyStandFor)
+{
+  for (const PointSet& set : scans(testSeed() + 5))
+  {
+    SCOPED_TRACE(set.name + ", SCAN_TEST_SEED=" + std::to_string(set.seed));
+    std::mt19937_64 random(set.seed);
+    const WrapModel start = wrapped(set.points, { .mode = WrapOptions::Mode::classic }).model;
+    Execution execution(2);
+    const Blocks& blocks = start.scan->blocks(execution);
+    const CollapseGraph graph(blocks, execution);
+    const Representatives found(start.scan->flow(), execution);
+    WrapComplex kept = *start.start;
+    WrapEditor editor(kept, *start.lines);
+    ASSERT_EQ(strayed(found, kept), 0U);
+    for (int step = 0; step < 8; ++step)
+    {
+      Journey(graph, blocks, random).go(editor, kept, graph);
+      ASSERT_EQ(strayed(found, kept), 0U) << "step " << step;
+    }
+  }
+}
+
 /// What is prepared answers sooner and nothing else.
 TEST(Pushes, PreparedOrNotTheyAreTheSame)
 {
