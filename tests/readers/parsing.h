@@ -6,7 +6,6 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +17,9 @@ namespace scan::test
 using Parser = TriMesh (*)(std::span<const char>, std::string_view, Execution&);
 
 /// Parses a copy of the text that ends exactly at the end of its storage.
-inline TriMesh parse(Parser parser, std::string_view text, unsigned threads = 1)
+/// @param parser (bytes, name, execution) -> model
+template <class Parser>
+auto parse(Parser parser, std::string_view text, unsigned threads = 1)
 {
   const std::vector<char> bytes(text.begin(), text.end());
   Execution execution(threads);
@@ -26,7 +27,8 @@ inline TriMesh parse(Parser parser, std::string_view text, unsigned threads = 1)
 }
 
 /// The message of the Error parse that the text ends in; empty when it is accepted.
-inline std::string parseError(Parser parser, std::string_view text)
+template <class Parser>
+std::string parseError(Parser parser, std::string_view text)
 {
   try
   {
