@@ -4,52 +4,15 @@
 
 #include "filters/base/error.h"
 #include "pipeline/file_head.h"
-#include "readers/obj.h"
-#include "readers/ply.h"
-#include "readers/points_text.h"
-#include "readers/stl.h"
-#include "readers/vtkScanObjReader.h"
-#include "readers/vtkScanPlyReader.h"
-#include "readers/vtkScanPointsReader.h"
-#include "readers/vtkScanStlReader.h"
-#include "writers/vtkScanObjWriter.h"
-#include "writers/vtkScanPlyWriter.h"
-#include "writers/vtkScanPngWriter.h"
-#include "writers/vtkScanStlWriter.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <type_traits>
 
 namespace scan
 {
 
 namespace
 {
-
-template <class Reader>
-vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path, ReadAs as)
-{
-  using Content = vtkScanReader::Content;
-  const auto reader = vtkSmartPointer<Reader>::New();
-  reader->SetFileName(path.c_str());
-  reader->SetReadAs(as == ReadAs::points ? Content::points
-      : as == ReadAs::mesh               ? Content::mesh
-                                         : Content::automatic);
-  return reader;
-}
-
-template <class Writer>
-vtkSmartPointer<vtkAlgorithm> makeWriter(const std::string& path, Encoding encoding)
-{
-  const auto writer = vtkSmartPointer<Writer>::New();
-  writer->SetFileName(path.c_str());
-  if constexpr (std::is_base_of_v<vtkScanWriter, Writer>)
-  {
-    writer->SetEncoding(encoding);
-  }
-  return writer;
-}
 
 std::string extensionOf(const std::string& path)
 {
@@ -92,36 +55,6 @@ std::string extensionsOf(Predicate isWanted)
 
 } // namespace
 
-const std::vector<Format>& formats()
-{
-  static const std::vector<Format> kFormats{
-    { .name = "PLY",
-      .extensions = { "ply" },
-      .looksLike = looksLikePly,
-      .makeReader = makeReader<vtkScanPlyReader>,
-      .makeWriter = makeWriter<vtkScanPlyWriter> },
-    { .name = "STL",
-      .extensions = { "stl" },
-      .looksLike = looksLikeStl,
-      .makeReader = makeReader<vtkScanStlReader>,
-      .makeWriter = makeWriter<vtkScanStlWriter> },
-    { .name = "OBJ",
-      .extensions = { "obj" },
-      .looksLike = looksLikeObj,
-      .makeReader = makeReader<vtkScanObjReader>,
-      .makeWriter = makeWriter<vtkScanObjWriter> },
-    { .name = "points as text",
-      .extensions = { "xyz", "txt", "asc", "pts", "csv" },
-      .looksLike = looksLikePointsText,
-      .makeReader = makeReader<vtkScanPointsReader> },
-    { .name = "PNG picture",
-      .extensions = { "png" },
-      .isPicture = true,
-      .makeWriter = makeWriter<vtkScanPngWriter> },
-  };
-  return kFormats;
-}
-
 const Format& formatToRead(const std::string& path, const CancelToken& token)
 {
   const std::vector<char> head = path == "-" ? headOfStandardInput(token) : headOfFile(path);
@@ -153,18 +86,24 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
   return *found;
 }
 
-const Format& formatToWrite(const std::string& path)
+const Format* findFormatToWrite(const std::string& path)
 {
   const std::string extension = path == "-" ? "ply" : extensionOf(path);
-  for (const Format& format : formats())
+  const auto found = std::ranges::find_if(formats(),
+    [&](const Format& format)
+    { return format.makeWriter != nullptr && hasExtension(format, extension); });
+  return found != formats().end() ? &*found : nullptr;
+}
+
+const Format& formatToWrite(const std::string& path)
+{
+  const Format* const format = findFormatToWrite(path);
+  if (format == nullptr)
   {
-    if (format.makeWriter != nullptr && hasExtension(format, extension))
-    {
-      return format;
-    }
+    throw Error(ErrorCode::badParameter,
+      path + ": no format for this name; end it with one of " + writableExtensions());
   }
-  throw Error(ErrorCode::badParameter,
-    path + ": no format for this name; end it with one of " + writableExtensions());
+  return *format;
 }
 
 std::string readableExtensions()
@@ -175,6 +114,42 @@ std::string readableExtensions()
 std::string writableExtensions()
 {
   return extensionsOf([](const Format& format) { return format.makeWriter != nullptr; });
+}
+
+std::string formatTable()
+{
+  const auto cell = [](bool isThere, const Abilities& can)
+  {
+    if (!isThere)
+    {
+      return std::string("no");
+    }
+    std::string text = can.points && can.triangles ? "points, triangles"
+      : can.triangles                              ? "triangles"
+                                                   : "points";
+    return text + (can.colors ? ", colours" : "") + (can.normals ? ", normals" : "");
+  };
+  std::string text = "| format | names | read | written | unit | limits |\n"
+                     "| --- | --- | --- | --- | --- | --- |\n";
+  for (const Format& format : formats())
+  {
+    if (format.isPicture)
+    {
+      continue;
+    }
+    std::string names;
+    for (const std::string& extension : format.extensions)
+    {
+      names += (names.empty() ? "." : ", .") + extension;
+    }
+    const std::string& unit = format.reads.unit.empty() ? format.writes.unit : format.reads.unit;
+    const std::string& limits =
+      format.writes.limits.empty() ? format.reads.limits : format.writes.limits;
+    text += "| " + format.name + " | " + names + " | " +
+      cell(format.makeReader != nullptr, format.reads) + " | " +
+      cell(format.makeWriter != nullptr, format.writes) + " | " + unit + " | " + limits + " |\n";
+  }
+  return text;
 }
 
 } // namespace scan

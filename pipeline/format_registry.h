@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "writers/encoding.h"
+#include "pipeline/parameter.h"
 
 #include <vtkSmartPointer.h>
 
@@ -25,21 +25,36 @@ enum class ReadAs
   mesh       ///< a file without triangles is an error
 };
 
+/// What comes in or out with a format.
+struct Abilities
+{
+  bool points = false; ///< without triangles
+  bool triangles = false;
+  bool colors = false;     ///< per point
+  bool normals = false;    ///< per point
+  std::string unit = {};   ///< "metre", or "in the file"; empty: not told
+  std::string limits = {}; ///< in a few words; empty: those of the model
+};
+
 /// A file format: how to recognise, read and write it.
 struct Format
 {
   std::string name;
   std::vector<std::string> extensions; ///< lower case, without the dot
   bool isPicture = false;              ///< written from a vtkImageData, else from a vtkPolyData
+  Abilities reads = {};
+  Abilities writes = {};
+  std::vector<Parameter> writeParameters = {};
 
   bool (*looksLike)(std::span<const char> head) = nullptr; ///< null where reading is not possible
 
   /// A fresh reader; null where reading is not possible. The path "-" is standard input.
   vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& path, ReadAs as) = nullptr;
 
-  /// A fresh writer; null where writing is not possible. The path "-" is standard output. Formats
-  /// that have one encoding only ignore the wish.
-  vtkSmartPointer<vtkAlgorithm> (*makeWriter)(const std::string& path, Encoding encoding) = nullptr;
+  /// A fresh writer; null where writing is not possible. The path "-" is standard output.
+  /// @param values of all writeParameters
+  vtkSmartPointer<vtkAlgorithm> (*makeWriter)(
+    const std::string& path, const ParameterValues& values) = nullptr;
 };
 
 /// Every format, the ones with the surest content check first.
@@ -52,6 +67,9 @@ const std::vector<Format>& formats();
 ///   empty file and for unknown content; Cancelled while waiting for standard input
 const Format& formatToRead(const std::string& path, const CancelToken& token);
 
+/// The same as formatToWrite(), or null.
+const Format* findFormatToWrite(const std::string& path);
+
 /// The format of a file to write, from its extension; "-" is written as PLY.
 /// @throws Error{badParameter} naming the extensions that can be written
 const Format& formatToWrite(const std::string& path);
@@ -59,5 +77,8 @@ const Format& formatToWrite(const std::string& path);
 /// "stl, ply, obj": the extensions of the formats that can be read or written.
 std::string readableExtensions();
 std::string writableExtensions();
+
+/// A table in Markdown of all formats and their abilities.
+std::string formatTable();
 
 } // namespace scan

@@ -39,22 +39,7 @@ const Operation* findOperation(std::string_view verb)
 
 ParameterValues completeValues(const Operation& operation, const ParameterValues& given)
 {
-  ParameterValues values;
-  for (const Parameter& parameter : operation.parameters)
-  {
-    values[parameter.name] = parameter.defaultValue;
-  }
-  for (const auto& [name, value] : given)
-  {
-    const auto parameter = std::ranges::find(operation.parameters, name, &Parameter::name);
-    if (parameter == operation.parameters.end())
-    {
-      throw Error(ErrorCode::badParameter, operation.verb + ": there is no option --" + name);
-    }
-    checkValue(*parameter, value);
-    values[name] = value;
-  }
-  return values;
+  return completeValues(operation.parameters, given, operation.verb);
 }
 
 } // namespace scan

@@ -252,6 +252,27 @@ void checkValue(const Parameter& parameter, const ParameterValue& value)
   }
 }
 
+ParameterValues completeValues(
+  const std::vector<Parameter>& parameters, const ParameterValues& given, const std::string& owner)
+{
+  ParameterValues values;
+  for (const Parameter& parameter : parameters)
+  {
+    values[parameter.name] = parameter.defaultValue;
+  }
+  for (const auto& [name, value] : given)
+  {
+    const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
+    if (parameter == parameters.end())
+    {
+      throw Error(ErrorCode::badParameter, owner + ": there is no option --" + name);
+    }
+    checkValue(*parameter, value);
+    values[name] = value;
+  }
+  return values;
+}
+
 bool appendValue(ParameterValue& list, const ParameterValue& more)
 {
   const auto append = [&]<class List>(List* to)

@@ -51,6 +51,12 @@ ParameterValue parseValue(const Parameter& parameter, std::string_view text);
 /// @throws Error{badParameter} for a value of another type or out of range
 void checkValue(const Parameter& parameter, const ParameterValue& value);
 
+/// Every parameter with its given or default value.
+/// @param owner ahead of messages: "wrap"
+/// @throws Error{badParameter} for an unknown name, a wrong type or a value out of range
+ParameterValues completeValues(
+  const std::vector<Parameter>& parameters, const ParameterValues& given, const std::string& owner);
+
 /// Appends a list to another of its kind; returns false for values that are no lists.
 bool appendValue(ParameterValue& list, const ParameterValue& more);
 

@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanObjReader);
 
-scan::TriMesh vtkScanObjReader::Parse(
+scan::Model vtkScanObjReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return scan::parseObj(bytes, name, execution);
+  return { scan::parseObj(bytes, name, execution) };
 }

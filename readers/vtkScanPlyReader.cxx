@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanPlyReader);
 
-scan::TriMesh vtkScanPlyReader::Parse(
+scan::Model vtkScanPlyReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return scan::parsePly(bytes, name, execution);
+  return { scan::parsePly(bytes, name, execution) };
 }

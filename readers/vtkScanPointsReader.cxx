@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanPointsReader);
 
-scan::TriMesh vtkScanPointsReader::Parse(
+scan::Model vtkScanPointsReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return scan::parsePointsText(bytes, name, execution);
+  return { scan::parsePointsText(bytes, name, execution) };
 }

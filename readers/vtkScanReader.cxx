@@ -19,10 +19,10 @@ int vtkScanReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return this->RunGuarded(*this, output,
-    [&](scan::Execution& execution) { scan::bridge::setMesh(*output, this->Read(execution)); });
+    [&](scan::Execution& execution) { scan::bridge::setModel(*output, this->Read(execution)); });
 }
 
-scan::TriMesh vtkScanReader::Read(scan::Execution& execution) const
+scan::Model vtkScanReader::Read(scan::Execution& execution) const
 {
   if (this->FileName == nullptr)
   {
@@ -30,15 +30,15 @@ scan::TriMesh vtkScanReader::Read(scan::Execution& execution) const
   }
   execution.plan({ { "read", 1.0 } });
   const scan::MappedFile file(this->FileName);
-  scan::TriMesh mesh = this->Parse(file.bytes(), file.name(), execution);
+  scan::Model model = this->Parse(file.bytes(), file.name(), execution);
   if (this->ReadAs == Content::points)
   {
-    mesh.triangles.clear();
+    model.triangles.clear();
   }
-  if (this->ReadAs == Content::mesh && mesh.triangles.empty())
+  if (this->ReadAs == Content::mesh && model.triangles.empty())
   {
     throw scan::Error(
       scan::ErrorCode::badInput, file.name() + ": no triangles; read the file as points");
   }
-  return mesh;
+  return model;
 }

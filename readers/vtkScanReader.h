@@ -4,15 +4,15 @@
 
 #include "ScanReadersModule.h" // export macro
 #include "filters/base/vtkScanTask.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 
 #include <vtkAbstractPolyDataReader.h>
 
 #include <span>
 #include <string_view>
 
-/// Base of the readers: opens the file, guards the parser, makes its mesh a vtkPolyData with double
-/// points. A subclass names its parser in Parse(). FileName "-" is standard input.
+/// Base of the readers: opens the file, guards the parser, makes its model a vtkPolyData with
+/// double points. A subclass names its parser in Parse(). FileName "-" is standard input.
 class SCANREADERS_EXPORT vtkScanReader
   : public vtkAbstractPolyDataReader
   , public vtkScanTask
@@ -40,15 +40,15 @@ protected:
   vtkScanReader() = default;
   ~vtkScanReader() override = default;
 
-  /// The mesh in the bytes of the file `name`. Throws scan::Error. Phase "read".
-  virtual scan::TriMesh Parse(
+  /// The model in the bytes of the file `name`. Throws scan::Error. Phase "read".
+  virtual scan::Model Parse(
     std::span<const char> bytes, std::string_view name, scan::Execution& execution) const = 0;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) final;
 
 private:
-  scan::TriMesh Read(scan::Execution& execution) const;
+  scan::Model Read(scan::Execution& execution) const;
 
   Content ReadAs = Content::automatic;
 };

@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanStlReader);
 
-scan::TriMesh vtkScanStlReader::Parse(
+scan::Model vtkScanStlReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return scan::parseStl(bytes, name, execution);
+  return { scan::parseStl(bytes, name, execution) };
 }

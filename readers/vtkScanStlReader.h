@@ -17,6 +17,6 @@ protected:
   vtkScanStlReader() = default;
   ~vtkScanStlReader() override = default;
 
-  scan::TriMesh Parse(
+  scan::Model Parse(
     std::span<const char> bytes, std::string_view name, scan::Execution& execution) const override;
 };

@@ -9,7 +9,7 @@
 vtkStandardNewMacro(vtkScanObjWriter);
 
 void vtkScanObjWriter::Format(
-  const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const
+  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
 {
-  scan::writeObj(mesh, file, execution);
+  scan::writeObj(model, file, execution);
 }

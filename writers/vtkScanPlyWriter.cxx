@@ -9,7 +9,7 @@
 vtkStandardNewMacro(vtkScanPlyWriter);
 
 void vtkScanPlyWriter::Format(
-  const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const
+  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
 {
-  scan::writePly(mesh, { .encoding = this->Encoding }, file, execution);
+  scan::writePly(model, { .encoding = this->Encoding }, file, execution);
 }

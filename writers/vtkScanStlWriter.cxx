@@ -9,7 +9,7 @@
 vtkStandardNewMacro(vtkScanStlWriter);
 
 void vtkScanStlWriter::Format(
-  const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const
+  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
 {
-  scan::writeStl(mesh, { .encoding = this->Encoding }, file, execution);
+  scan::writeStl(model, { .encoding = this->Encoding }, file, execution);
 }

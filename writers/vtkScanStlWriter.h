@@ -18,5 +18,5 @@ protected:
   ~vtkScanStlWriter() override = default;
 
   void Format(
-    const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const override;
+    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
 };

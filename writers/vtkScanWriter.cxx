@@ -54,7 +54,7 @@ void vtkScanWriter::WriteData()
       }
       execution.plan({ { "write", 1.0 } });
       scan::OutputFile file(this->FileName);
-      this->Format(scan::bridge::meshOf(*input), file, execution);
+      this->Format(scan::bridge::modelOf(*input), file, execution);
       file.commit();
     });
 }

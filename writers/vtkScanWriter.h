@@ -4,7 +4,7 @@
 
 #include "ScanWritersModule.h" // export macro
 #include "filters/base/vtkScanTask.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 #include "writers/encoding.h"
 
 #include <vtkWriter.h>
@@ -48,9 +48,9 @@ protected:
   vtkScanWriter() = default;
   ~vtkScanWriter() override;
 
-  /// Writes the mesh without committing the file. Throws scan::Error. Phase "write".
+  /// Writes the model without committing the file. Throws scan::Error. Phase "write".
   virtual void Format(
-    const scan::TriMesh& mesh, scan::OutputFile& file, scan::Execution& execution) const = 0;
+    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const = 0;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -61,6 +61,14 @@ const Parameter* findParameter(const std::vector<Parameter>& parameters, std::st
   return found != parameters.end() ? &*found : nullptr;
 }
 
+/// Empty for a name that no format has, which is refused later.
+const std::vector<Parameter>& writeParametersOf(const std::string& path)
+{
+  static const std::vector<Parameter> kNone;
+  const Format* const format = findFormatToWrite(path);
+  return format != nullptr ? format->writeParameters : kNone;
+}
+
 class Parser
 {
 public:
@@ -100,7 +108,7 @@ private:
       {
         refuse("-o: expected the name of a file after it");
       }
-      this->Line.steps.emplace_back(OutputWish{ this->next() });
+      this->Line.steps.emplace_back(OutputWish{ this->next(), {} });
     }
     else if (!isName && word == "-h")
     {
@@ -150,18 +158,32 @@ private:
     return this->VerbIndex ? &std::get<OperationWish>(this->Line.steps[*this->VerbIndex]) : nullptr;
   }
 
+  /// The output that options right behind it belong to, or null.
+  OutputWish* currentOutput()
+  {
+    return this->Line.steps.empty() ? nullptr : std::get_if<OutputWish>(&this->Line.steps.back());
+  }
+
   /// name=value, or the bare name of a switch
   void option(const std::string& text)
   {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     OperationWish* const verb = this->currentVerb();
+    OutputWish* const output = this->currentOutput();
     const Parameter* parameter =
-      verb != nullptr ? findParameter(verb->operation->parameters, name) : nullptr;
+      output != nullptr ? findParameter(writeParametersOf(output->path), name) : nullptr;
+    ParameterValues* given = parameter != nullptr ? &output->given : nullptr;
+    if (parameter == nullptr && verb != nullptr)
+    {
+      parameter = findParameter(verb->operation->parameters, name);
+      given = &verb->given;
+    }
     const bool isGlobal = parameter == nullptr;
     if (isGlobal)
     {
       parameter = findParameter(globalOptions(), name);
+      given = &this->Globals;
     }
     if (parameter == nullptr)
     {
@@ -173,9 +195,8 @@ private:
       refuse("--" + name + ": expected --" + name + "=VALUE, " + rangeText(*parameter));
     }
     const std::string value = equals == std::string::npos ? "true" : text.substr(equals + 1);
-    ParameterValues& given = isGlobal ? this->Globals : verb->given;
     const ParameterValue parsed = parseValue(*parameter, value);
-    const auto [place, isNew] = given.emplace(name, parsed);
+    const auto [place, isNew] = given->emplace(name, parsed);
     if (!isNew && !appendValue(place->second, parsed))
     {
       refuse("--" + name + ": is given twice; keep one of them");
@@ -235,8 +256,7 @@ private:
       : progress == "none"             ? ProgressMode::none
                                        : ProgressMode::automatic;
     line.readAs = as == "points" ? ReadAs::points : as == "mesh" ? ReadAs::mesh : ReadAs::automatic;
-    line.encoding =
-      this->global<std::string>("encoding") == "ascii" ? Encoding::ascii : Encoding::binary;
+    line.encoding = this->global<std::string>("encoding");
     if (this->global<bool>("help"))
     {
       line.action = CommandLine::Action::help;

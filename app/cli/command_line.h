@@ -22,10 +22,11 @@ struct OperationWish
   ParameterValues given;
 };
 
-/// -o FILE
+/// -o FILE with the options of its format
 struct OutputWish
 {
   std::string path;
+  ParameterValues given;
 };
 
 enum class ProgressMode
@@ -60,7 +61,7 @@ struct CommandLine
   ProgressMode progress = ProgressMode::automatic;
   std::string json; ///< path of the record, "-" for standard output; empty: none
   ReadAs readAs = ReadAs::automatic;
-  Encoding encoding = Encoding::binary;
+  std::string encoding; ///< for outputs that have it and do not give their own
 };
 
 /// The options that are not a verb's, for the parser and the help.

@@ -44,6 +44,15 @@ std::string programHelp()
   {
     text += fmt::format("  {:<28} {}\n", usageOf(parameter), parameter.help);
   }
+  text += "\noptions of outputs, behind -o FILE:\n";
+  for (const Format& format : formats())
+  {
+    for (const Parameter& parameter : format.writeParameters)
+    {
+      text += fmt::format(
+        "  .{:<4} {:<22} {}\n", format.extensions.front(), usageOf(parameter), parameter.help);
+    }
+  }
   text += fmt::format(
     "\nreads:  {}\nwrites: {}\n\nexamples:\n", readableExtensions(), writableExtensions());
   for (const Operation& operation : operationTable())

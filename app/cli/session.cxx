@@ -181,7 +181,7 @@ public:
     {
       if (const auto* output = std::get_if<OutputWish>(&step))
       {
-        this->save(output->path);
+        this->save(*output);
       }
       else
       {
@@ -254,9 +254,17 @@ private:
     }
   }
 
-  void save(const std::string& path)
+  void save(const OutputWish& wish)
   {
+    const std::string& path = wish.path;
     const Format& format = formatToWrite(path);
+    ParameterValues values = wish.given;
+    if (std::ranges::find(format.writeParameters, "encoding", &Parameter::name) !=
+      format.writeParameters.end())
+    {
+      values.emplace("encoding", this->Line.encoding);
+    }
+    values = completeValues(format.writeParameters, values, path);
     vtkDataObject* data = this->Model;
     if (format.isPicture)
     {
@@ -266,10 +274,10 @@ private:
       }
       data = this->Picture;
     }
-    const auto writer = format.makeWriter(path, this->Line.encoding);
+    const auto writer = format.makeWriter(path, values);
     this->Progress.start("save");
-    this->finish(
-      "save", { { "file", path } }, runAlgorithm(*writer, data, this->Options), ExitStatus::failed);
+    values.emplace("file", path);
+    this->finish("save", values, runAlgorithm(*writer, data, this->Options), ExitStatus::failed);
   }
 
   /// Records a step and throws unless it went well.

@@ -9,6 +9,15 @@ namespace scan::arrays
 /// Point data, vtkIdTypeArray: index of the scan point that a vertex came from.
 inline constexpr const char* kScanPointId = "ScanPointId";
 
+/// Point data, three unsigned bytes: red, green, blue. They are the scalars.
+inline constexpr const char* kColors = "Colors";
+
+/// Point data, three doubles: unit vectors, or 0 0 0. They are the normals.
+inline constexpr const char* kNormals = "Normals";
+
+/// Field data, one double: the unit of the coordinates in millimetres, where a file says so.
+inline constexpr const char* kMillimetresPerUnit = "MillimetresPerUnit";
+
 /// Cell and field data of wraps: see vtkScanWrapData.
 inline constexpr const char* kBlock = "Block";
 inline constexpr const char* kBlockSize = "BlockSize";

@@ -8,6 +8,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -15,9 +16,11 @@
 #include <vtkPolyData.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -234,6 +237,76 @@ void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> 
   if (mesh.triangles.empty() && lines.empty())
   {
     output.SetVerts(vertexPerPoint(mesh.points.size()));
+  }
+}
+
+Model modelOf(vtkPolyData& data)
+{
+  Model model{ meshOf(data) };
+  vtkPointData& attributes = *data.GetPointData();
+  const auto tuple = [&](vtkDataArray* array, std::size_t i)
+  {
+    std::array<double, 3> values{};
+    array->GetTuple(static_cast<vtkIdType>(i), values.data());
+    return values;
+  };
+  const auto isTriple = [&](vtkDataArray* array)
+  {
+    return array != nullptr && array->GetNumberOfComponents() == 3 &&
+      array->GetNumberOfTuples() == data.GetNumberOfPoints();
+  };
+  if (vtkDataArray* array = attributes.GetArray(arrays::kColors); isTriple(array))
+  {
+    model.colors.resize(model.points.size());
+    for (std::size_t i = 0; i < model.colors.size(); ++i)
+    {
+      std::ranges::transform(tuple(array, i), model.colors[i].begin(),
+        [](double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0)); });
+    }
+  }
+  if (vtkDataArray* array = attributes.GetNormals(); isTriple(array))
+  {
+    model.normals.resize(model.points.size());
+    for (std::size_t i = 0; i < model.normals.size(); ++i)
+    {
+      const auto [x, y, z] = tuple(array, i);
+      model.normals[i] = { x, y, z };
+    }
+  }
+  vtkDataArray* const unit = data.GetFieldData()->GetArray(arrays::kMillimetresPerUnit);
+  model.millimetresPerUnit =
+    unit != nullptr && unit->GetNumberOfTuples() > 0 ? unit->GetTuple1(0) : 0.0;
+  return model;
+}
+
+void setModel(vtkPolyData& output, const Model& model)
+{
+  setMesh(output, model);
+  const auto count = static_cast<vtkIdType>(model.points.size());
+  if (!model.colors.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName(arrays::kColors);
+    colors->SetNumberOfComponents(3);
+    colors->SetNumberOfTuples(count);
+    std::memcpy(colors->GetPointer(0), model.colors.data(), sizeof(Color) * model.colors.size());
+    output.GetPointData()->SetScalars(colors);
+  }
+  if (!model.normals.empty())
+  {
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetName(arrays::kNormals);
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(count);
+    std::memcpy(normals->GetPointer(0), model.normals.data(), sizeof(Vec3) * model.normals.size());
+    output.GetPointData()->SetNormals(normals);
+  }
+  if (model.millimetresPerUnit > 0.0)
+  {
+    vtkNew<vtkDoubleArray> unit;
+    unit->SetName(arrays::kMillimetresPerUnit);
+    unit->InsertNextValue(model.millimetresPerUnit);
+    output.GetFieldData()->AddArray(unit);
   }
 }
 

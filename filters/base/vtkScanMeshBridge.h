@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 
 #include <vtkSmartPointer.h>
 
@@ -31,6 +32,13 @@ std::vector<Segment> segmentsOf(vtkPolyData& data);
 /// Makes `output` the mesh: double points, triangles as polygons, segments as lines. Where there
 /// are neither triangles nor segments every point gets a vertex, so that a scan can be seen.
 void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> lines = {});
+
+/// Points and faces as meshOf(), with the colours, normals and unit that setModel() would set.
+/// @throws Error as meshOf()
+Model modelOf(vtkPolyData& data);
+
+/// Makes `output` the model: setMesh() and the arrays of vtkScanArrayNames.h for what it knows.
+void setModel(vtkPolyData& output, const Model& model);
 
 /// The scan-point id of every point of `data`: its ScanPointId array, else 0, 1, 2, ...
 std::vector<vtkIdType> scanPointIdsOf(vtkPolyData& data);

@@ -17,8 +17,8 @@ using Color = std::array<std::uint8_t, 3>;
 /// What a file holds: points, perhaps triangles on them, and what else it says about the points.
 struct Model : TriMesh
 {
-  std::vector<Color> colors;       ///< per point, or empty
-  std::vector<Vec3> normals;       ///< per point, of length 1 or 0, or empty
+  std::vector<Color> colors = {};  ///< per point, or empty
+  std::vector<Vec3> normals = {};  ///< per point, of length 1 or 0, or empty
   double millimetresPerUnit = 0.0; ///< of the coordinates; 0 when the file does not say
 };
 
