@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/off.h"
+
+#include "tests/writers/models.h"
+#include "tests/writers/other_programs.h"
+#include "writers/text_line.h"
+
+namespace
+{
+
+using scan::Model;
+using scan::test::modelBytes;
+
+void expectAssimpReads(const Model& model)
+{
+  const scan::test::TemporaryFolder folder;
+  scan::test::writeModel(folder.file("out.off"), model, scan::writeOff);
+  scan::test::expectSame(scan::test::readWithAssimp(folder.file("out.off")), model);
+}
+
+} // namespace
+
+TEST(WrittenOff, ListsPointsAndTriangles)
+{
+  EXPECT_EQ(modelBytes(scan::test::oneTriangle(), scan::writeOff),
+    "OFF\n3 1 0\n0 0 0\n2.5 0 0\n0 -0.125 1e-07\n3 0 1 2\n");
+  EXPECT_EQ(modelBytes(scan::test::threePoints(), scan::writeOff),
+    "OFF\n3 0 0\n0 0 0\n2.5 0 0\n0 -0.125 1e-07\n");
+  EXPECT_EQ(modelBytes({}, scan::writeOff), "OFF\n0 0 0\n");
+}
+
+TEST(WrittenOff, HasColorsFromZeroToOne)
+{
+  Model model = scan::test::threePoints();
+  model.colors = { { 0, 1, 128 }, { 255, 254, 2 }, { 3, 3, 3 } };
+  EXPECT_EQ(modelBytes(model, scan::writeOff),
+    "COFF\n3 0 0\n0 0 0 0.0000 0.0040 0.5020 1.0\n2.5 0 0 1.0000 0.9961 0.0079 1.0\n"
+    "0 -0.125 1e-07 0.0118 0.0118 0.0118 1.0\n");
+}
+
+TEST(WrittenOff, IsReadByAssimp)
+{
+  if (!scan::test::hasAssimp())
+  {
+    GTEST_SKIP() << "assimp is not installed";
+  }
+  expectAssimpReads(scan::test::grid(60, 40, true));
+  expectAssimpReads(scan::test::grid(60, 40, false));
+  expectAssimpReads(scan::test::nonManifold());
+  expectAssimpReads(scan::test::colored(scan::test::grid(60, 40, true)));
+}
+
+TEST(WrittenOff, GivesAssimpEveryColor)
+{
+  if (!scan::test::hasAssimp())
+  {
+    GTEST_SKIP() << "assimp is not installed";
+  }
+  const scan::test::TemporaryFolder folder;
+  const Model model = scan::test::colored(scan::test::grid(20, 20, true));
+  scan::test::writeModel(folder.file("out.off"), model, scan::writeOff);
+  const std::string ply = folder.file("out.ply");
+  scan::test::outputOf("assimp export " + folder.file("out.off") + " " + ply);
+  const std::string text = scan::test::contentOf(ply);
+  for (std::size_t i = 0; i < model.points.size(); ++i)
+  {
+    const auto& [red, green, blue] = model.colors[i];
+    const scan::TextLine line =
+      scan::TextLine().number(int{ red }).number(int{ green }).number(int{ blue }).text(" 255\n");
+    const std::string color(std::string_view{ line });
+    EXPECT_NE(text.find(" " + color), std::string::npos) << color;
+  }
+}
