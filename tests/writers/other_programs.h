@@ -36,7 +36,7 @@ inline bool isInstalled(const std::string& command)
 
 inline bool hasAssimp()
 {
-  return isInstalled("assimp version");
+  return isInstalled("command -v assimp");
 }
 
 /// The triangles that assimp reads from a file, with the points that they use.

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/writers/models.h"
+#include "tests/writers/other_programs.h"
+#include "writers/inventor.h"
+#include "writers/vrml97.h"
+
+#include <functional>
+#include <sstream>
+
+namespace
+{
+
+using scan::Model;
+using scan::Vec3;
+using scan::test::modelBytes;
+using SceneFormat = std::function<void(const Model&, scan::OutputFile&, scan::Execution&)>;
+
+SceneFormat inventor(scan::InventorVersion version)
+{
+  return [version](const Model& model, scan::OutputFile& file, scan::Execution& execution)
+  { scan::writeInventor(model, { .version = version }, file, execution); };
+}
+
+const SceneFormat kInventor = inventor(scan::InventorVersion::inventor);
+const SceneFormat kVrml1 = inventor(scan::InventorVersion::vrml1);
+const SceneFormat kVrml97 = scan::writeVrml97;
+
+/// What Coin draws, colours rounded.
+Model readWithCoin(const std::string& path)
+{
+  std::istringstream text(scan::test::outputOf(SCAN_COIN_READER " " + path));
+  Model model;
+  const auto readLines = [&](const std::string& kind, std::size_t linesEach)
+  {
+    std::string word;
+    std::size_t count = 0;
+    text >> word >> count;
+    EXPECT_EQ(word, kind) << text.str().substr(0, 2000);
+    for (std::size_t i = 0; i < count * linesEach; ++i)
+    {
+      Vec3 p;
+      Vec3 c;
+      text >> p.x >> p.y >> p.z >> c.x >> c.y >> c.z;
+      model.points.push_back(
+        { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) });
+      c = c * 255.0 + Vec3{ 0.5, 0.5, 0.5 };
+      model.colors.push_back({ static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y),
+        static_cast<std::uint8_t>(c.z) });
+    }
+    return count;
+  };
+  const std::size_t triangles = readLines("triangles", 3);
+  for (scan::Index i = 0; i < triangles; ++i)
+  {
+    model.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  readLines("points", 1);
+  EXPECT_FALSE(text.fail());
+  return model;
+}
+
+/// The numbers of the list behind a field's name, as SGI's Inventor prints it.
+std::vector<double> fieldOf(const std::string& text, const std::string& field)
+{
+  const std::size_t start = text.find(field + "\t[");
+  EXPECT_NE(start, std::string::npos) << field;
+  std::string list = text.substr(start + field.size() + 2);
+  list.resize(list.find(']'));
+  std::replace(list.begin(), list.end(), ',', ' ');
+  std::istringstream numbers(list);
+  return { std::istream_iterator<double>(numbers), {} };
+}
+
+Model readWithSgiInventor(const std::string& path)
+{
+  const std::string text = scan::test::outputOf("ivcat " + path);
+  EXPECT_EQ(text.find("read error"), std::string::npos) << text.substr(0, 500);
+  Model model;
+  const std::vector<double> points = fieldOf(text, "point");
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+  {
+    model.points.push_back({ points[i], points[i + 1], points[i + 2] });
+  }
+  const std::vector<double> indices = fieldOf(text, "coordIndex");
+  for (std::size_t i = 0; i + 3 < indices.size(); i += 4)
+  {
+    EXPECT_EQ(indices[i + 3], -1.0);
+    model.triangles.push_back({ static_cast<scan::Index>(indices[i]),
+      static_cast<scan::Index>(indices[i + 1]), static_cast<scan::Index>(indices[i + 2]) });
+  }
+  return model;
+}
+
+Model reread(Model (*read)(const std::string&), const Model& model, const SceneFormat& format)
+{
+  const scan::test::TemporaryFolder folder;
+  scan::test::writeModel(folder.file("out.wrl"), model, format);
+  return read(folder.file("out.wrl"));
+}
+
+class SceneFile : public testing::TestWithParam<SceneFormat>
+{
+};
+
+} // namespace
+
+TEST(WrittenInventor, HasNodesForASurface)
+{
+  const std::string nodes =
+    "Separator {\n"
+    "ShapeHints { vertexOrdering COUNTERCLOCKWISE faceType CONVEX creaseAngle 0.5 }\n"
+    "Coordinate3 { point [\n0 0 0,\n2.5 0 0,\n0 -0.125 1e-07,\n] }\n"
+    "IndexedFaceSet { coordIndex [\n0, 1, 2, -1,\n] }\n}\n";
+  const Model model = scan::test::oneTriangle();
+  EXPECT_EQ(modelBytes(model, kInventor), "#Inventor V2.1 ascii\n" + nodes);
+  EXPECT_EQ(modelBytes(model, kVrml1), "#VRML V1.0 ascii\n" + nodes);
+}
+
+TEST(WrittenInventor, HasNodesForColoredPoints)
+{
+  EXPECT_EQ(modelBytes(scan::test::colored(scan::test::threePoints()), kInventor),
+    "#Inventor V2.1 ascii\nSeparator {\n"
+    "Material { diffuseColor [\n"
+    " 0.0000 0.0000 1.0000,\n 0.0040 0.0000 0.9961,\n 0.0079 0.0000 0.9922,\n] }\n"
+    "MaterialBinding { value PER_VERTEX }\n"
+    "Coordinate3 { point [\n0 0 0,\n2.5 0 0,\n0 -0.125 1e-07,\n] }\nPointSet { }\n}\n");
+}
+
+TEST(WrittenVrml97, HasOneShape)
+{
+  EXPECT_EQ(modelBytes(scan::test::colored(scan::test::oneTriangle()), kVrml97),
+    "#VRML V2.0 utf8\nShape {\nappearance Appearance { material Material { } }\n"
+    "geometry IndexedFaceSet {\nsolid FALSE\ncreaseAngle 0.5\n"
+    "color Color { color [\n"
+    " 0.0000 0.0000 1.0000,\n 0.0040 0.0000 0.9961,\n 0.0079 0.0000 0.9922,\n] }\n"
+    "coord Coordinate { point [\n0 0 0,\n2.5 0 0,\n0 -0.125 1e-07,\n] }\n"
+    "coordIndex [\n0, 1, 2, -1,\n]\n}\n}\n");
+  EXPECT_EQ(modelBytes(scan::test::threePoints(), kVrml97),
+    "#VRML V2.0 utf8\nShape {\ngeometry PointSet {\n"
+    "coord Coordinate { point [\n0 0 0,\n2.5 0 0,\n0 -0.125 1e-07,\n] }\n}\n}\n");
+}
+
+TEST_P(SceneFile, RefusesWhatItCannotHold)
+{
+  EXPECT_EQ(scan::test::writeError({}, this->GetParam()), scan::ErrorCode::badInput);
+  Model model = scan::test::oneTriangle();
+  model.points[2].z = -3.5e38;
+  EXPECT_EQ(scan::test::writeError(model, this->GetParam()), scan::ErrorCode::limit);
+  model.points[2].z = -3.4e38;
+  EXPECT_FALSE(modelBytes(model, this->GetParam()).empty());
+}
+
+#ifdef SCAN_COIN_READER
+
+TEST_P(SceneFile, IsDrawnByCoin)
+{
+  for (const Model& model : { scan::test::grid(60, 40, true), scan::test::grid(60, 40, false),
+         scan::test::nonManifold(), scan::test::colored(scan::test::grid(300, 200, true)) })
+  {
+    scan::test::expectSame(reread(readWithCoin, model, this->GetParam()), model);
+  }
+}
+
+TEST_P(SceneFile, IsDrawnByCoinInItsColors)
+{
+  const Model model = scan::test::colored(scan::test::grid(30, 20, true));
+  const Model surface = reread(readWithCoin, model, this->GetParam());
+  ASSERT_EQ(surface.points.size(), 3 * model.triangles.size());
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    const scan::Index corner = model.triangles[i / 3][i % 3];
+    EXPECT_EQ(surface.points[i], model.points[corner]);
+    EXPECT_EQ(surface.colors[i], model.colors[corner]);
+  }
+  Model points = model;
+  points.triangles.clear();
+  const Model scan = reread(readWithCoin, points, this->GetParam());
+  EXPECT_TRUE(scan.points == points.points);
+  EXPECT_TRUE(scan.colors == points.colors);
+}
+
+#else
+
+TEST_P(SceneFile, IsDrawnByCoin)
+{
+  GTEST_SKIP() << "Coin is not installed";
+}
+
+#endif
+
+INSTANTIATE_TEST_SUITE_P(Inventor, SceneFile, testing::Values(kInventor));
+INSTANTIATE_TEST_SUITE_P(Vrml1, SceneFile, testing::Values(kVrml1));
+INSTANTIATE_TEST_SUITE_P(Vrml97, SceneFile, testing::Values(kVrml97));
+
+TEST(WrittenInventor, IsReadBySgiInventor)
+{
+  if (!scan::test::isInstalled("command -v ivcat"))
+  {
+    GTEST_SKIP() << "ivcat of Open Inventor is not installed";
+  }
+  for (const SceneFormat& format : { kInventor, kVrml1 })
+  {
+    for (const Model& model :
+      { scan::test::grid(40, 30, true), scan::test::colored(scan::test::grid(60, 40, false)) })
+    {
+      const Model read = reread(readWithSgiInventor, model, format);
+      EXPECT_EQ(read.triangles, model.triangles);
+      ASSERT_EQ(read.points.size(), model.points.size());
+      for (std::size_t i = 0; i < read.points.size(); ++i)
+      {
+        const Vec3 off = read.points[i] - model.points[i];
+        EXPECT_LE(std::sqrt(dot(off, off)), 1e-4); // ivcat prints six digits
+      }
+    }
+  }
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/inventor.h"
+
+#include "writers/scene_lists.h"
+
+namespace scan
+{
+
+void writeInventor(
+  const Model& model, const InventorOptions& options, OutputFile& file, Execution& execution)
+{
+  const bool isVrml = options.version == InventorVersion::vrml1;
+  const bool isSurface = !model.triangles.empty();
+  requireSceneLimits(model, file, isVrml ? "VRML" : "Open Inventor");
+  WriteProgress progress(execution, sceneRecords(model));
+  file.write(isVrml ? "#VRML V1.0 ascii\n" : "#Inventor V2.1 ascii\n");
+  file.write("Separator {\n");
+  if (isSurface)
+  {
+    file.write("ShapeHints { vertexOrdering COUNTERCLOCKWISE faceType CONVEX creaseAngle 0.5 }\n");
+  }
+  if (!model.colors.empty())
+  {
+    file.write("Material { diffuseColor ");
+    writeColorList(model, file, progress);
+    file.write(" }\nMaterialBinding { value ");
+    file.write(isSurface ? "PER_VERTEX_INDEXED }\n" : "PER_VERTEX }\n");
+  }
+  file.write("Coordinate3 { point ");
+  writePointList(model, file, progress);
+  file.write(" }\n");
+  if (isSurface)
+  {
+    file.write("IndexedFaceSet { coordIndex ");
+    writeTriangleList(model, file, progress);
+    file.write(" }\n");
+  }
+  else
+  {
+    file.write("PointSet { }\n");
+  }
+  file.write("}\n");
+}
+
+} // namespace scan
