@@ -115,6 +115,21 @@ inline Model grid(Index rows, Index columns, bool isClosed)
   return model;
 }
 
+/// Triangles that share no point.
+inline Model scattered(Index count)
+{
+  Model model;
+  for (Index i = 0; i < count; ++i)
+  {
+    const double x = i % 100;
+    const double y = i / 100;
+    model.points.insert(
+      model.points.end(), { { x, y, 0 }, { x + 0.5, y, 0.25 }, { x, y + 0.5, 0.5 } });
+    model.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return model;
+}
+
 /// Three triangles on one edge.
 inline Model nonManifold()
 {

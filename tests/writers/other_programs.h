@@ -51,4 +51,13 @@ inline TriMesh readWithAssimp(const std::string& path)
   return parse(parseStl, contentOf(stl));
 }
 
+/// Undoes what assimp does to 3DS and DXF, where it makes y the axis that points up.
+inline void turnBackFromAssimp(TriMesh& mesh)
+{
+  for (Vec3& p : mesh.points)
+  {
+    p = { p.x, -p.z, p.y };
+  }
+}
+
 } // namespace scan::test

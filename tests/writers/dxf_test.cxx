@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/dxf.h"
+
+#include "tests/writers/models.h"
+#include "tests/writers/other_programs.h"
+
+#include <functional>
+#include <sstream>
+
+namespace
+{
+
+using scan::DxfFaces;
+using scan::Model;
+using scan::TriMesh;
+using scan::Vec3;
+using scan::test::modelBytes;
+
+auto dxf(DxfFaces faces)
+{
+  return [faces](const Model& model, scan::OutputFile& file, scan::Execution& execution)
+  { scan::writeDxf(model, { .faces = faces }, file, execution); };
+}
+
+struct EzdxfResult
+{
+  int complaints = 0;
+  int meshes = 0;
+  TriMesh mesh; ///< triangles with corners of their own, then the points
+};
+
+EzdxfResult readWithEzdxf(const std::string& path)
+{
+  const std::string output =
+    scan::test::outputOf("/usr/bin/python3 " SCAN_DATA_DIR "/../tests/writers/read_dxf.py " + path);
+  std::istringstream text(output);
+  EzdxfResult result;
+  text >> result.complaints >> result.meshes;
+  const auto readPoints = [&](std::size_t pointsEach)
+  {
+    std::size_t count = 0;
+    text >> count;
+    for (std::size_t i = 0; i < count * pointsEach && text; ++i)
+    {
+      Vec3 p;
+      text >> p.x >> p.y >> p.z;
+      result.mesh.points.push_back(p);
+    }
+    return count;
+  };
+  const std::size_t triangles = readPoints(3);
+  for (scan::Index i = 0; i < triangles; ++i)
+  {
+    result.mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  readPoints(1);
+  EXPECT_FALSE(text.fail()) << output.substr(0, 2000);
+  return result;
+}
+
+class DxfFile : public testing::TestWithParam<DxfFaces>
+{
+protected:
+  std::string write(const Model& model)
+  {
+    scan::test::writeModel(this->Folder.file("out.dxf"), model, dxf(this->GetParam()));
+    return this->Folder.file("out.dxf");
+  }
+
+private:
+  scan::test::TemporaryFolder Folder;
+};
+
+const std::string kHeader = "999\nDXF by Scanwrap\n0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n"
+                            "9\n$EXTMIN\n10\n0\n20\n-0.125\n30\n0\n"
+                            "9\n$EXTMAX\n10\n2.5\n20\n0\n30\n1e-07\n"
+                            "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+const std::string kEnd = "0\nENDSEC\n0\nEOF\n";
+
+} // namespace
+
+TEST(WrittenDxf, HasA3dFaceATriangle)
+{
+  EXPECT_EQ(modelBytes(scan::test::oneTriangle(), dxf(DxfFaces::face3d)),
+    kHeader +
+      "0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n2.5\n21\n0\n31\n0\n"
+      "12\n0\n22\n-0.125\n32\n1e-07\n13\n0\n23\n-0.125\n33\n1e-07\n" +
+      kEnd);
+}
+
+TEST(WrittenDxf, HasVerticesAndFacesOfAPolyface)
+{
+  EXPECT_EQ(modelBytes(scan::test::oneTriangle(), dxf(DxfFaces::polyface)),
+    kHeader +
+      "0\nPOLYLINE\n8\n0\n66\n1\n10\n0\n20\n0\n30\n0\n70\n64\n71\n3\n72\n1\n"
+      "0\nVERTEX\n8\n0\n10\n0\n20\n0\n30\n0\n70\n192\n"
+      "0\nVERTEX\n8\n0\n10\n2.5\n20\n0\n30\n0\n70\n192\n"
+      "0\nVERTEX\n8\n0\n10\n0\n20\n-0.125\n30\n1e-07\n70\n192\n"
+      "0\nVERTEX\n8\n0\n10\n0\n20\n0\n30\n0\n70\n128\n71\n1\n72\n2\n73\n3\n"
+      "0\nSEQEND\n8\n0\n" +
+      kEnd);
+}
+
+TEST_P(DxfFile, HasAPointForAPointOfAScan)
+{
+  EXPECT_EQ(modelBytes(scan::test::threePoints(), dxf(this->GetParam())),
+    kHeader +
+      "0\nPOINT\n8\n0\n10\n0\n20\n0\n30\n0\n0\nPOINT\n8\n0\n10\n2.5\n20\n0\n30\n0\n"
+      "0\nPOINT\n8\n0\n10\n0\n20\n-0.125\n30\n1e-07\n" +
+      kEnd);
+}
+
+TEST_P(DxfFile, RefusesAnEmptyModel)
+{
+  EXPECT_EQ(scan::test::writeError({}, dxf(this->GetParam())), scan::ErrorCode::badInput);
+}
+
+TEST_P(DxfFile, IsReadByAssimp)
+{
+  if (!scan::test::hasAssimp())
+  {
+    GTEST_SKIP() << "assimp is not installed";
+  }
+  for (const Model& model : { scan::test::grid(356, 250, true), scan::test::grid(60, 40, false),
+         scan::test::nonManifold() })
+  {
+    TriMesh read = scan::test::readWithAssimp(this->write(model));
+    scan::test::turnBackFromAssimp(read);
+    scan::test::expectSame(read, model);
+  }
+}
+
+TEST_P(DxfFile, PassesTheAuditOfEzdxf)
+{
+  if (!scan::test::isInstalled("/usr/bin/python3 -c 'import ezdxf'"))
+  {
+    GTEST_SKIP() << "python3-ezdxf is not installed";
+  }
+  for (Model model :
+    { scan::test::grid(200, 90, true), scan::test::grid(60, 40, false), scan::test::nonManifold() })
+  {
+    for (Vec3& p : model.points)
+    {
+      p = p * (1.0 / 3.0) + Vec3{ 665187.522077, -5648349.895035, 1e-20 };
+    }
+    const EzdxfResult read = readWithEzdxf(this->write(model));
+    EXPECT_EQ(read.complaints, 0);
+    ASSERT_EQ(read.mesh.points.size(), 3 * model.triangles.size());
+    for (std::size_t i = 0; i < read.mesh.points.size(); ++i)
+    {
+      ASSERT_EQ(read.mesh.points[i], model.points[model.triangles[i / 3][i % 3]]);
+    }
+    const bool isPolyface = this->GetParam() == DxfFaces::polyface;
+    const int most = 32767;
+    const int count = static_cast<int>(model.triangles.size());
+    EXPECT_EQ(read.meshes, isPolyface ? (count + most - 1) / most : 0);
+    model.triangles.clear();
+    EXPECT_EQ(readWithEzdxf(this->write(model)).mesh.points, model.points);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Faces, DxfFile, testing::Values(DxfFaces::face3d));
+INSTANTIATE_TEST_SUITE_P(Polyface, DxfFile, testing::Values(DxfFaces::polyface));
+
+TEST(WrittenDxf, SplitsPolyfacesWithManyPoints)
+{
+  const std::string text = modelBytes(scan::test::scattered(30000), dxf(DxfFaces::polyface));
+  EXPECT_NE(text.find("\n71\n32766\n72\n10922\n"), std::string::npos);
+  EXPECT_NE(text.find("\n71\n24468\n72\n8156\n"), std::string::npos);
+}

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: The Scanwrap authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Prints what ezdxf finds in a DXF file: its complaints, the number of polyface meshes, the number
+of triangles, three corners of each, the number of points, the points."""
+import sys
+
+import ezdxf
+
+document = ezdxf.readfile(sys.argv[1])
+audit = document.audit()
+triangles = []
+points = []
+meshes = 0
+for entity in document.modelspace():
+    kind = entity.dxftype()
+    if kind == "3DFACE":
+        a, b, c, d = (entity.dxf.get(f"vtx{i}") for i in range(4))
+        assert c == d, "not a triangle"
+        triangles.append((a, b, c))
+    elif kind == "POLYLINE" and entity.is_poly_face_mesh:
+        meshes += 1
+        triangles += [tuple(v.dxf.location for v in face[:-1]) for face in entity.faces()]
+    elif kind == "POINT":
+        points.append(entity.dxf.location)
+    else:
+        audit.errors.append(kind)
+print(len(audit.errors) + len(audit.fixes), meshes)
+print(len(triangles))
+for triangle in triangles:
+    assert len(triangle) == 3
+    print(*(repr(x) for corner in triangle for x in corner))
+print(len(points))
+for point in points:
+    print(*(repr(x) for x in point))
