@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/model.h"
+#include "writers/output_file.h"
+
+namespace scan
+{
+
+/// Writes a model as glTF 2.0 in one binary file (.glb); the caller commits the file.
+///
+/// One node with one mesh. The format holds coordinates as float32 in metres: the stored numbers
+/// keep the model's unit, and the scale of the node, millimetresPerUnit / 1000, makes them metres
+/// (a model without a unit counts as one in millimetres). When float32 does not hold every
+/// coordinate and the model is further from the origin than it is large, the centre of its bounding
+/// box is subtracted and becomes the translation of the node, a float64: what remains of the
+/// rounding is about 6e-8 of the size of the model. The axes stay as they are; a viewer shows +y
+/// upwards.
+///
+/// A scan becomes a mesh of points. Colours become COLOR_0, bytes as they are with alpha 255;
+/// normals become NORMAL, one of length 0 as it is. The same model gives the same bytes.
+///
+/// Throws Error badInput for a model without points; Error limit for coordinates beyond float32 and
+/// for 4 GiB of data. Phase "write".
+void writeGlb(const Model& model, OutputFile& file, Execution& execution);
+
+} // namespace scan
