@@ -22,9 +22,11 @@ template <class Body>
 class PlyLoader
 {
 public:
-  PlyLoader(const Source& source, const PlyHeader& header, Execution& execution)
+  PlyLoader(
+    const Source& source, const PlyHeader& header, bool joinsRangeGrid, Execution& execution)
     : Input(source)
     , Header(header)
+    , JoinsRangeGrid(joinsRangeGrid)
     , Run(execution)
     , Values(source, header.size)
   {
@@ -51,6 +53,10 @@ public:
       else if (element.name == "face" || element.name == "tristrips")
       {
         this->loadFaces(element);
+      }
+      else if (element.name == "range_grid" && this->JoinsRangeGrid)
+      {
+        this->loadRangeGrid(element);
       }
       else
       {
@@ -222,6 +228,70 @@ private:
     }
   }
 
+  /// The cells are row after row; each lists no vertex, or its vertices with the best first.
+  void loadRangeGrid(const PlyElement& element)
+  {
+    const std::uint64_t columns = this->Header.columns;
+    const std::size_t list = element.find("vertex_indices");
+    if (columns == 0 || element.count % columns != 0 ||
+      element.count / columns != this->Header.rows || list == element.properties.size() ||
+      !element.properties[list].isList)
+    {
+      this->Input.fail("the range_grid has " + std::to_string(element.count) +
+        " cells, but obj_info num_cols and num_rows say " + std::to_string(columns) + " x " +
+        std::to_string(this->Header.rows) + "; load the points without a mesh");
+    }
+    std::vector<Index> below;
+    std::vector<Index> row;
+    this->forEach(element,
+      [&]
+      {
+        row.push_back(kNone);
+        for (std::size_t p = 0; p < element.properties.size(); ++p)
+        {
+          if (p == list)
+          {
+            row.back() = this->firstVertex(element.properties[p]);
+          }
+          else
+          {
+            this->skip(element.properties[p]);
+          }
+        }
+        if (row.size() == columns)
+        {
+          this->joinRows(below, row);
+          below.swap(row);
+          row.clear();
+        }
+      });
+  }
+
+  /// The first vertex of a list, kNone when it is empty.
+  Index firstVertex(const PlyProperty& list)
+  {
+    const std::uint64_t length = this->listLength(list);
+    if (length == 0)
+    {
+      return kNone;
+    }
+    const Index first = this->vertexIndex(this->Values.integer(list.type));
+    this->Values.skip(list.type, length - 1);
+    return first;
+  }
+
+  void joinRows(const std::vector<Index>& below, const std::vector<Index>& above)
+  {
+    for (std::size_t i = 0; i + 1 < below.size(); ++i)
+    {
+      if (below[i] != kNone && below[i + 1] != kNone && above[i] != kNone && above[i + 1] != kNone)
+      {
+        this->Mesh.triangles.push_back({ below[i], below[i + 1], above[i + 1] });
+        this->Mesh.triangles.push_back({ below[i], above[i + 1], above[i] });
+      }
+    }
+  }
+
   Index vertexIndex(std::int64_t value) const
   {
     if (value < 0 || static_cast<std::uint64_t>(value) >= this->VertexCount)
@@ -234,6 +304,7 @@ private:
 
   const Source& Input;
   const PlyHeader& Header;
+  const bool JoinsRangeGrid;
   Execution& Run;
   Body Values;
   std::uint64_t VertexCount = 0;
@@ -241,22 +312,36 @@ private:
   CoordinateCheck Check;
 };
 
-} // namespace
-
-TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution)
+TriMesh parse(
+  std::span<const char> bytes, std::string_view name, bool joinsRangeGrid, Execution& execution)
 {
   const Source source{ name, bytes };
   const PlyHeader header = parsePlyHeader(source);
   switch (header.encoding)
   {
     case PlyEncoding::littleEndian:
-      return PlyLoader<PlyBinaryBody<std::endian::little>>(source, header, execution).load();
+      return PlyLoader<PlyBinaryBody<std::endian::little>>(
+        source, header, joinsRangeGrid, execution)
+        .load();
     case PlyEncoding::bigEndian:
-      return PlyLoader<PlyBinaryBody<std::endian::big>>(source, header, execution).load();
+      return PlyLoader<PlyBinaryBody<std::endian::big>>(source, header, joinsRangeGrid, execution)
+        .load();
     case PlyEncoding::ascii:
       break;
   }
-  return PlyLoader<PlyAsciiBody>(source, header, execution).load();
+  return PlyLoader<PlyAsciiBody>(source, header, joinsRangeGrid, execution).load();
+}
+
+} // namespace
+
+TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  return parse(bytes, name, false, execution);
+}
+
+TriMesh parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  return parse(bytes, name, true, execution);
 }
 
 bool looksLikePly(std::span<const char> head)

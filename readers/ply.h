@@ -23,6 +23,14 @@ namespace scan
 /// Phase "read".
 TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution);
 
+/// parsePly, and triangles across the element "range_grid" of scans of Cyberware's and Stanford's
+/// scanners: two for each cell of the grid with four points, however long its edges are. They face
+/// the scanner when the columns run to its right and the rows upwards, as in the Stanford scans.
+///
+/// Throws as parsePly, and Error parse when the header's obj_info num_cols and num_rows do not give
+/// the size of the grid. A file without a range_grid is read as by parsePly.
+TriMesh parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Execution& execution);
+
 /// Whether the file is of this format.
 bool looksLikePly(std::span<const char> head);
 

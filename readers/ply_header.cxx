@@ -113,7 +113,11 @@ private:
     {
       this->readProperty(words);
     }
-    // comments, obj_info, and what some writers add without either keyword
+    else if (keyword == "obj_info" && words.size() == 3)
+    {
+      this->readGridSize(words[1], words[2]);
+    }
+    // comments, other obj_info, and what some writers add without either keyword
   }
 
   void readFormat(std::string_view name)
@@ -172,6 +176,15 @@ private:
       this->fail("a list length must be an integer");
     }
     this->Result.elements.back().properties.push_back(std::move(property));
+  }
+
+  /// A value that is no number gives no size.
+  void readGridSize(std::string_view key, std::string_view text)
+  {
+    std::uint64_t number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    this->Result.columns = key == "num_cols" ? number : this->Result.columns;
+    this->Result.rows = key == "num_rows" ? number : this->Result.rows;
   }
 
   PlyType readType(std::string_view name) const

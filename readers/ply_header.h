@@ -58,10 +58,12 @@ struct PlyHeader
 {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
+  std::uint64_t columns = 0; ///< of the element range_grid, from obj_info; 0 when not given
+  std::uint64_t rows = 0;
   std::size_t size = 0; ///< bytes up to the first element's data
 };
 
-/// Reads the header; skips lines that are neither format, element nor property.
+/// Reads the header; skips lines that are neither format, element, property nor size of a grid.
 /// Throws Error parse with the line.
 PlyHeader parsePlyHeader(const Source& source);
 

@@ -130,7 +130,6 @@ inline std::string cyberwareBinary(const CyberwareMap& map, int size, bool isBig
   put(map.hasWindow ? map.lastLatitude : 0, 2);
   put(map.hasWindow ? map.firstLongitude : 0, 2);
   put(map.hasWindow ? map.lastLongitude : 0, 2);
-  align();
   put(28096, 4);
   put(124352, 4);
   bytes.resize(static_cast<std::size_t>(size), '\x11');

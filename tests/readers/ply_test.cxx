@@ -132,6 +132,30 @@ TEST(Ply, AcceptsCarriageReturns)
   EXPECT_EQ(parse(text).triangles, expected.triangles);
 }
 
+TEST(Ply, JoinsARangeGridWhenAsked)
+{
+  const std::string size = "obj_info num_cols 3\nobj_info num_rows 3\n";
+  const std::string rest = "element vertex 8\n" + kXyz +
+    "element range_grid 9\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n0 2 0\n1 2 0\n"
+    "1 0\n1 1\n1 2\n1 3\n2 4 0\n1 5\n1 6\n1 7\n0\n";
+  const auto join = [](const std::string& text)
+  { return scan::test::parse(scan::parsePlyRangeGrid, text); };
+  const std::vector<Triangle> triangles = { { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 },
+    { 3, 4, 7 }, { 3, 7, 6 } };
+  EXPECT_EQ(join(kAscii + size + rest).triangles, triangles);
+  EXPECT_TRUE(parse(kAscii + size + rest).triangles.empty());
+  EXPECT_EQ(parse(kAscii + size + rest).points.size(), 8U);
+  for (const std::string wrong : { "", "obj_info num_cols 3\nobj_info num_rows 4\n",
+         "obj_info num_cols 0\n", "obj_info num_cols x\nobj_info num_rows 3\n" })
+  {
+    const std::string message =
+      scan::test::parseError(scan::parsePlyRangeGrid, kAscii + wrong + rest);
+    EXPECT_NE(message.find("the range_grid has 9 cells"), std::string::npos) << message;
+  }
+  EXPECT_EQ(join(kAscii + kSquare + "4 0 1 2 3\n").triangles.size(), 2U);
+}
+
 TEST(Ply, RefusesIndicesWithoutAVertex)
 {
   EXPECT_EQ(error(kAscii + kSquare + "3 0 1 4\n"),

@@ -4,14 +4,11 @@
 
 #include "tests/readers/cyberware_files.h"
 #include "tests/readers/parsing.h"
+#include "tests/readers/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace
 {
@@ -87,6 +84,37 @@ TEST(SgiImage, ReadsRawAndEncodedPixels)
     EXPECT_EQ(image.height, 2U);
     EXPECT_EQ(image.pixels, kPixels);
     EXPECT_TRUE(scan::looksLikeSgiImage(bytes));
+  }
+}
+
+TEST(SgiImage, ReadsWhatAnotherProgramWrites)
+{
+  const scan::test::TemporaryFolder folder;
+  if (std::system("convert -version > /dev/null 2>&1") != 0)
+  {
+    GTEST_SKIP() << "the program convert of ImageMagick is missing";
+  }
+  // a picture from its highest row; long runs and rows without any
+  std::string text = "P3 300 20 255\n";
+  std::vector<Color> pixels(6000);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+  {
+    const std::size_t value = i / 300 < 10 ? i / 150 : i * 7919;
+    const Color color = { static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value / 3),
+      static_cast<std::uint8_t>(255 - value % 256) };
+    pixels[(19 - i / 300) * 300 + i % 300] = color;
+    for (const int channel : color)
+    {
+      text += std::to_string(channel) + "\n";
+    }
+  }
+  scan::test::setContent(folder.file("a.ppm"), text);
+  for (const std::string kind : { "None", "RLE" })
+  {
+    const std::string command =
+      "convert " + folder.file("a.ppm") + " -compress " + kind + " sgi:" + folder.file("a.sgi");
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(parse(scan::test::contentOf(folder.file("a.sgi"))).pixels, pixels) << kind;
   }
 }
 

@@ -182,6 +182,26 @@ TEST_P(RefusedFile, EndsInOneClearLine)
 INSTANTIATE_TEST_SUITE_P(Real, SharedFile, testing::ValuesIn(kRows), nameOf);
 INSTANTIATE_TEST_SUITE_P(Real, RefusedFile, testing::ValuesIn(kRefused), nameOf);
 
+TEST(SharedFiles, JoinTheRangeGridOfAScanTowardsTheScanner)
+{
+  const std::string file = "02_range_scans/stanford_bunny/data/bun000.ply";
+  if (!std::filesystem::exists(kFolder + file))
+  {
+    GTEST_SKIP() << kFolder << file << " is missing";
+  }
+  const TriMesh mesh = load(scan::parsePlyRangeGrid, file);
+  EXPECT_EQ(mesh.points.size(), 40256U);
+  EXPECT_GT(mesh.triangles.size(), 70000U);
+  const auto facing = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+    [&](const scan::Triangle& t)
+    {
+      const scan::Vec3& p = mesh.points[t[0]];
+      return cross(mesh.points[t[1]] - p, mesh.points[t[2]] - p).z > 0.0;
+    });
+  // a few fold back where the surface turns away
+  EXPECT_GT(static_cast<double>(facing), 0.999 * static_cast<double>(mesh.triangles.size()));
+}
+
 TEST(SharedFiles, HoldTheSameSurfaceInEveryFormat)
 {
   if (!std::filesystem::exists(kFolder + "05_meshes/assimp/Wuson.stl"))
