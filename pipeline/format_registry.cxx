@@ -68,7 +68,7 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
   for (const Format& format : formats())
   {
     if (format.looksLike != nullptr && format.looksLike(head) &&
-      (found == nullptr || hasExtension(format, extension)))
+      (found == nullptr || (hasExtension(format, extension) && !hasExtension(*found, extension))))
     {
       found = &format;
     }

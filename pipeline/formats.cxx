@@ -2,18 +2,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/format_registry.h"
 
+#include "readers/autodesk_3ds.h"
+#include "readers/cyberware_header.h"
+#include "readers/digibotics.h"
 #include "readers/obj.h"
+#include "readers/off.h"
 #include "readers/ply.h"
 #include "readers/points_text.h"
+#include "readers/pts.h"
+#include "readers/ptx.h"
 #include "readers/stl.h"
+#include "readers/vtkScanAutodesk3dsReader.h"
+#include "readers/vtkScanCyberwareReader.h"
+#include "readers/vtkScanDigiboticsReader.h"
 #include "readers/vtkScanObjReader.h"
+#include "readers/vtkScanOffReader.h"
 #include "readers/vtkScanPlyReader.h"
 #include "readers/vtkScanPointsReader.h"
+#include "readers/vtkScanPtsReader.h"
+#include "readers/vtkScanPtxReader.h"
 #include "readers/vtkScanStlReader.h"
+#include "writers/vtkScanAutodesk3dsWriter.h"
+#include "writers/vtkScanDxfWriter.h"
+#include "writers/vtkScanGlbWriter.h"
+#include "writers/vtkScanInventorWriter.h"
 #include "writers/vtkScanObjWriter.h"
+#include "writers/vtkScanOffWriter.h"
 #include "writers/vtkScanPlyWriter.h"
 #include "writers/vtkScanPngWriter.h"
 #include "writers/vtkScanStlWriter.h"
+#include "writers/vtkScanVrmlWriter.h"
+#include "writers/vtkScanXyzWriter.h"
 
 namespace scan
 {
@@ -54,6 +73,23 @@ template <>
 void configure(vtkScanStlWriter& writer, const ParameterValues& values)
 {
   setEncoding(writer, values);
+}
+
+bool isChosen(const ParameterValues& values, std::string_view name, std::string_view choice)
+{
+  return std::get<std::string>(values.find(name)->second) == choice;
+}
+
+template <>
+void configure(vtkScanDxfWriter& writer, const ParameterValues& values)
+{
+  writer.SetFaces(isChosen(values, "faces", "polyface") ? DxfFaces::polyface : DxfFaces::face3d);
+}
+
+template <>
+void configure(vtkScanVrmlWriter& writer, const ParameterValues& values)
+{
+  writer.SetVersion1(isChosen(values, "version", "1.0"));
 }
 
 template <class Writer>
@@ -101,11 +137,82 @@ const std::vector<Format>& formats()
       .looksLike = looksLikeObj,
       .makeReader = makeReader<vtkScanObjReader>,
       .makeWriter = makeWriter<vtkScanObjWriter> },
+    { .name = "OFF",
+      .extensions = { "off" },
+      .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .writes = { .points = true, .triangles = true, .colors = true },
+      .looksLike = looksLikeOff,
+      .makeReader = makeReader<vtkScanOffReader>,
+      .makeWriter = makeWriter<vtkScanOffWriter> },
+    { .name = "3D Studio",
+      .extensions = { "3ds" },
+      .reads = { .points = true, .triangles = true },
+      .writes = { .triangles = true, .limits = "7 digits; parts of 65,535 points or triangles" },
+      .looksLike = looksLikeAutodesk3ds,
+      .makeReader = makeReader<vtkScanAutodesk3dsReader>,
+      .makeWriter = makeWriter<vtkScanAutodesk3dsWriter> },
+    { .name = "DXF",
+      .extensions = { "dxf" },
+      .writes = { .points = true,
+        .triangles = true,
+        .limits = "polyface: parts of 32,767 points or triangles" },
+      .writeParameters = { { .name = "faces",
+        .defaultValue = "3dface",
+        .help = "triangles one by one, which every program reads, or meshes with shared points",
+        .choices = { "3dface", "polyface" } } },
+      .makeWriter = makeWriter<vtkScanDxfWriter> },
+    { .name = "Open Inventor",
+      .extensions = { "iv" },
+      .writes = { .points = true, .triangles = true, .colors = true },
+      .makeWriter = makeWriter<vtkScanInventorWriter> },
+    { .name = "VRML",
+      .extensions = { "wrl", "vrml" },
+      .writes = { .points = true, .triangles = true, .colors = true },
+      .writeParameters = { { .name = "version",
+        .defaultValue = "97",
+        .help = "VRML97, also named 2.0, or the older 1.0",
+        .choices = { "97", "1.0" } } },
+      .makeWriter = makeWriter<vtkScanVrmlWriter> },
+    { .name = "glTF, binary",
+      .extensions = { "glb" },
+      .writes = { .points = true,
+        .triangles = true,
+        .colors = true,
+        .normals = true,
+        .unit = "metre",
+        .limits = "7 digits around the centre; 4 GB" },
+      .makeWriter = makeWriter<vtkScanGlbWriter> },
+    { .name = "Cyberware range map",
+      .extensions = { "cy", "echo" },
+      .reads = { .points = true,
+        .triangles = true,
+        .colors = true,
+        .unit = "read as millimetre",
+        .limits = "triangles with --as=mesh" },
+      .looksLike = looksLikeCyberware,
+      .makeReader = makeReader<vtkScanCyberwareReader> },
+    { .name = "PTX",
+      .extensions = { "ptx" },
+      .reads = { .points = true, .colors = true, .unit = "metre" },
+      .looksLike = looksLikePtx,
+      .makeReader = makeReader<vtkScanPtxReader> },
+    { .name = "PTS",
+      .extensions = { "pts" },
+      .reads = { .points = true, .colors = true },
+      .looksLike = looksLikePts,
+      .makeReader = makeReader<vtkScanPtsReader> },
+    { .name = "Digibotics contours",
+      .extensions = { "dbt", "dig" },
+      .reads = { .points = true, .unit = "in the file", .limits = "text; not verified" },
+      .looksLike = looksLikeDigibotics,
+      .makeReader = makeReader<vtkScanDigiboticsReader> },
     { .name = "points as text",
       .extensions = { "xyz", "txt", "asc", "pts", "csv" },
       .reads = { .points = true },
+      .writes = { .points = true, .colors = true, .normals = true },
       .looksLike = looksLikePointsText,
-      .makeReader = makeReader<vtkScanPointsReader> },
+      .makeReader = makeReader<vtkScanPointsReader>,
+      .makeWriter = makeWriter<vtkScanXyzWriter> },
     { .name = "PNG picture",
       .extensions = { "png" },
       .isPicture = true,

@@ -261,6 +261,10 @@ private:
     {
       line.action = CommandLine::Action::help;
     }
+    else if (this->global<bool>("formats"))
+    {
+      line.action = CommandLine::Action::formats;
+    }
     else if (this->global<bool>("version"))
     {
       line.action = CommandLine::Action::version;
@@ -313,6 +317,7 @@ const std::vector<Parameter>& globalOptions()
     { .name = "quiet", .defaultValue = false, .help = "no progress and no tables" },
     { .name = "verbose", .defaultValue = false, .help = "a line on stderr for every step" },
     { .name = "help", .defaultValue = false, .help = "this help, or that of the verb before it" },
+    { .name = "formats", .defaultValue = false, .help = "a table of the formats of files" },
     { .name = "version", .defaultValue = false, .help = "the version" },
   };
   return kOptions;

@@ -43,6 +43,7 @@ struct CommandLine
   {
     run,
     help, ///< of the verb, or of the program
+    formats,
     version
   };
   using Step = std::variant<OperationWish, OutputWish>;

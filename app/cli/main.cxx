@@ -35,6 +35,9 @@ void run(const std::vector<std::string>& words, const scan::CancelToken& token)
       scan::writeText(
         "-", line.helpVerb != nullptr ? scan::operationHelp(*line.helpVerb) : scan::programHelp());
       return;
+    case Action::formats:
+      scan::writeText("-", scan::formatTable());
+      return;
     case Action::version:
       scan::writeText("-", "scanwrap " SCAN_VERSION "\n");
       return;

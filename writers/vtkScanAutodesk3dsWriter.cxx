@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/vtkScanAutodesk3dsWriter.h"
+
+#include "writers/autodesk_3ds.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkScanAutodesk3dsWriter);
+
+void vtkScanAutodesk3dsWriter::Format(
+  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+{
+  scan::writeAutodesk3ds(model, file, execution);
+}

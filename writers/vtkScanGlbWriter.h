@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "writers/vtkScanWriter.h"
+
+/// Writes points and triangles as binary glTF. See writers/glb.h.
+class SCANWRITERS_EXPORT vtkScanGlbWriter : public vtkScanWriter
+{
+public:
+  static vtkScanGlbWriter* New();
+  vtkTypeMacro(vtkScanGlbWriter, vtkScanWriter);
+  vtkScanGlbWriter(const vtkScanGlbWriter&) = delete;
+  void operator=(const vtkScanGlbWriter&) = delete;
+
+protected:
+  vtkScanGlbWriter() = default;
+  ~vtkScanGlbWriter() override = default;
+
+  void Format(
+    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+};

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/vtkScanVrmlWriter.h"
+
+#include "writers/inventor.h"
+#include "writers/vrml97.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkScanVrmlWriter);
+
+void vtkScanVrmlWriter::Format(
+  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+{
+  if (this->Version1)
+  {
+    scan::writeInventor(model, { .version = scan::InventorVersion::vrml1 }, file, execution);
+  }
+  else
+  {
+    scan::writeVrml97(model, file, execution);
+  }
+}

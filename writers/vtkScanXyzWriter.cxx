@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/vtkScanXyzWriter.h"
+
+#include "writers/xyz.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkScanXyzWriter);
+
+void vtkScanXyzWriter::Format(
+  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+{
+  scan::writeXyz(model, file, execution);
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "writers/vtkScanWriter.h"
+
+/// Writes points as text. See writers/xyz.h.
+class SCANWRITERS_EXPORT vtkScanXyzWriter : public vtkScanWriter
+{
+public:
+  static vtkScanXyzWriter* New();
+  vtkTypeMacro(vtkScanXyzWriter, vtkScanWriter);
+  vtkScanXyzWriter(const vtkScanXyzWriter&) = delete;
+  void operator=(const vtkScanXyzWriter&) = delete;
+
+protected:
+  vtkScanXyzWriter() = default;
+  ~vtkScanXyzWriter() override = default;
+
+  void Format(
+    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+};
