@@ -136,8 +136,8 @@ private:
       this->isCylindrical() ? static_cast<double>(lg * header.longitudeStep) / kMicro : 0.0;
     const double along = header.isRightHanded ? -std::sin(angle) : std::sin(angle);
     const double across = -std::cos(angle);
-    const double column =
-      static_cast<double>((lg - header.longitudes / 2) * header.longitudeStep) / kMilli;
+    const std::int64_t middle = header.longitudes / 2;
+    const double column = static_cast<double>((lg - middle) * header.longitudeStep) / kMilli;
     Column points(static_cast<std::size_t>(header.lastLatitude - header.firstLatitude + 1), kNone);
     for (std::int64_t lt = header.firstLatitude; lt <= header.lastLatitude; ++lt)
     {

@@ -180,6 +180,7 @@ TEST(Cyberware, ClosesAScanOfAFullTurn)
       for (const std::string& bytes : everyHeader(map))
       {
         const Model model = mesh(bytes).model;
+        EXPECT_EQ(model.points, cyberwarePoints(map));
         EXPECT_EQ(model.triangles.size(), 8U * 4 * 2);
         EXPECT_NEAR(volume(model), isInsideOut ? -expected : expected, expected * 1e-5);
       }

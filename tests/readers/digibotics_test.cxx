@@ -75,6 +75,7 @@ TEST(Digibotics, KeepsAFirstCoordinateThatLooksLikeANumber)
     (std::vector<Vec3>{ { 0, 2, 3 }, { 0, 3, 3 }, { 0, 4, 3 } }));
   EXPECT_EQ(parse("1.0 2 3 9\n2.0 3 3 9\n3.0 4 3 9\n4.0 0 0 0\n").points[3], (Vec3{ 4, 0, 0 }));
   EXPECT_EQ(parse("1 2 3 9\n").points[0], (Vec3{ 1, 2, 3 }));
+  EXPECT_EQ(parse("0 2 3 9\n1 2 3 9\n0 5 3 9\n1 5 3 9\n").points[3], (Vec3{ 1, 5, 3 }));
 }
 
 TEST(Digibotics, TakesTheUnitFromAHeaderWord)
