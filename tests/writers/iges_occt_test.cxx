@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/bounding_box.h"
+#include "filters/geometry/mesh_checks.h"
+#include "tests/geometry/mesh_corpus.h"
+#include "tests/writers/iges_format.h"
+#include "tests/writers/occt_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using scan::IgesEntities;
+using scan::IgesUnit;
+using scan::TriMesh;
+using scan::Vec3;
+using scan::test::CadContent;
+using scan::test::igesFormat;
+
+/// What another program finds in the file.
+CadContent readBack(const TriMesh& mesh, const scan::IgesOptions& options)
+{
+  const scan::test::TemporaryFolder folder;
+  scan::test::writeFile(folder.file("x.igs"), mesh, igesFormat(options));
+  return scan::test::readIgesWithOcct(folder.file("x.igs"));
+}
+
+CadContent readBack(const TriMesh& mesh, IgesEntities entities)
+{
+  return readBack(mesh, scan::IgesOptions{ .entities = entities });
+}
+
+TriMesh moved(TriMesh mesh, const Vec3& by)
+{
+  for (Vec3& p : mesh.points)
+  {
+    p = p + by;
+  }
+  return mesh;
+}
+
+void append(TriMesh& mesh, const TriMesh& piece)
+{
+  const auto first = static_cast<scan::Index>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), piece.points.begin(), piece.points.end());
+  for (const auto& [a, b, c] : piece.triangles)
+  {
+    mesh.triangles.push_back({ first + a, first + b, first + c });
+  }
+}
+
+/// The same corners to the last bit, repeated or not.
+void expectSamePoints(std::vector<Vec3> found, std::vector<Vec3> expected)
+{
+  for (auto* const points : { &found, &expected })
+  {
+    const auto key = [](const Vec3& p) { return std::array{ p.x, p.y, p.z }; };
+    std::ranges::sort(*points, {}, key);
+    points->erase(std::unique(points->begin(), points->end()), points->end());
+  }
+  EXPECT_EQ(found.size(), expected.size());
+  EXPECT_TRUE(found == expected);
+}
+
+void expectFaces(const TriMesh& mesh, IgesEntities entities, double tolerance = 1e-12)
+{
+  SCOPED_TRACE(static_cast<int>(entities));
+  const CadContent content = readBack(mesh, entities);
+  const double area = scan::describeMesh(mesh).area;
+  EXPECT_EQ(content.faces, mesh.triangles.size());
+  EXPECT_NEAR(content.area, area, tolerance * area);
+  EXPECT_TRUE(content.isValid);
+  expectSamePoints(content.vertices, mesh.points);
+}
+
+void expectSolid(const TriMesh& mesh, double tolerance = 1e-12)
+{
+  const CadContent content = readBack(mesh, IgesEntities::solid);
+  const scan::MeshReport report = scan::describeMesh(mesh);
+  EXPECT_EQ(content.solids, report.components.size());
+  EXPECT_EQ(content.faces, mesh.triangles.size());
+  EXPECT_EQ(content.vertices.size(), mesh.points.size());
+  EXPECT_NEAR(content.area, report.area, tolerance * report.area);
+  EXPECT_NEAR(content.volume, *report.volume, tolerance * *report.volume);
+  EXPECT_TRUE(content.isValid);
+  expectSamePoints(content.vertices, mesh.points);
+}
+
+} // namespace
+
+TEST(IgesInOcct, HasAFaceForEachTriangle)
+{
+  for (const IgesEntities entities : { IgesEntities::faces, IgesEntities::nurbs })
+  {
+    expectFaces(corpus::torus(20), entities);
+    expectFaces(corpus::square(), entities);
+    expectFaces(corpus::tetrahedraOnOneEdge(), entities);
+    expectFaces(corpus::moebius(), entities);
+  }
+  expectFaces(corpus::torus(42), IgesEntities::faces);
+}
+
+TEST(IgesInOcct, IsAValidSolid)
+{
+  expectSolid(corpus::tetrahedron());
+  expectSolid(corpus::torus(42));
+  TriMesh two = corpus::torus(10);
+  append(two, moved(corpus::torus(8), { 0, 0, 20 }));
+  expectSolid(two);
+}
+
+TEST(IgesInOcct, HasVoids)
+{
+  TriMesh mesh = corpus::torus(16);
+  TriMesh hollow = corpus::tetrahedron();
+  for (Vec3& p : hollow.points)
+  {
+    p = (p - Vec3{ 0.5, 0.5, 0.5 }) * 0.5 + Vec3{ 2, 0, 0 };
+  }
+  for (scan::Triangle& triangle : hollow.triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  append(mesh, hollow);
+  const CadContent content = readBack(mesh, IgesEntities::solid);
+  EXPECT_EQ(content.solids, 1);
+  EXPECT_EQ(content.shells, 2);
+  EXPECT_NEAR(content.volume, *scan::describeMesh(mesh).volume, 1e-12);
+  EXPECT_TRUE(content.isValid);
+}
+
+TEST(IgesInOcct, KeepsModelsFarFromTheOrigin)
+{
+  const TriMesh far = moved(corpus::torus(12), { 5e9, -3e9, 1e9 }); // 5,000 km in mm
+  expectFaces(far, IgesEntities::faces, 1e-6);
+  expectFaces(far, IgesEntities::nurbs, 1e-6);
+  expectSolid(far, 1e-6);
+}
+
+TEST(IgesInOcct, HasLinesAndPoints)
+{
+  const TriMesh mesh = scan::test::bentStrip(50);
+  const CadContent lines = readBack(mesh, IgesEntities::wireframe);
+  EXPECT_EQ(lines.faces, 0);
+  expectSamePoints(lines.vertices, mesh.points);
+  double length = 0.0;
+  for (const scan::Triangle& triangle : mesh.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Vec3 edge = mesh.points[triangle[(k + 1) % 3]] - mesh.points[triangle[k]];
+      length += std::sqrt(dot(edge, edge));
+    }
+  }
+  EXPECT_NEAR(lines.length, length, 1e-12 * length);
+  expectSamePoints(readBack(mesh, IgesEntities::points).vertices, mesh.points);
+}
+
+TEST(IgesInOcct, HasTheUnit)
+{
+  const auto widthOf = [](IgesUnit unit)
+  {
+    const CadContent content =
+      readBack(corpus::tetrahedron(), { .entities = IgesEntities::solid, .unit = unit });
+    const scan::BoundingBox box(content.vertices);
+    return box.high.x - box.low.x;
+  };
+  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::model), 1.0);
+  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::centimetre), 10.0);
+  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::metre), 1000.0);
+  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::inch), 25.4);
+}

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/base/error.h"
+#include "tests/geometry/mesh_corpus.h"
+#include "tests/writers/iges_format.h"
+#include "tests/writers/iges_structure.h"
+#include "writers/iges_file.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using scan::IgesEntities;
+using scan::IgesOptions;
+using scan::IgesUnit;
+using scan::TriMesh;
+using scan::Vec3;
+using scan::test::bytesOf;
+using scan::test::igesFormat;
+using scan::test::IgesStructure;
+
+constexpr std::array kAll = { IgesEntities::faces, IgesEntities::solid, IgesEntities::nurbs,
+  IgesEntities::wireframe, IgesEntities::points };
+
+TriMesh triangle()
+{
+  return { { { 0, 0, 5 }, { 2, 0, 5 }, { 0, 0.5, 5 } }, { { 0, 1, 2 } } };
+}
+
+/// The type and the message of the error that writing ends in.
+std::string errorOf(const TriMesh& mesh, const scan::test::Format& format)
+{
+  try
+  {
+    bytesOf(mesh, format);
+  }
+  catch (const scan::Error& error)
+  {
+    return (error.code() == scan::ErrorCode::badInput ? "badInput " : "other ") +
+      std::string(error.what());
+  }
+  return "written";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TriMesh scanOf(TriMesh mesh)
+{
+  mesh.triangles.clear();
+  return mesh;
+}
+
+} // namespace
+
+TEST(Iges, HasExactlyTheseBytes)
+{
+  const std::string expected =
+    "Triangles by Scanwrap: a bounded plane each (108 form 1)                S      1\n"
+    "1H,,1H;,8HScanwrap,12Hscanwrap.igs,8HScanwrap,8HScanwrap,32,308,15,308, G      1\n"
+    "15,8HScanwrap,1.,2,2HMM,1,0.01,15H20000101.000000,                      G      2\n"
+    "2.0615578128088304E-08,5.,8HScanwrap,8HScanwrap,11,0,15H20000101.000000;G      3\n"
+    "     106       1       0       0       0       0       0       000010000D      1\n"
+    "     106       0       0       1      12                               0D      2\n"
+    "     108       2       0       0       0       0       0       000000000D      3\n"
+    "     108       0       0       1       1                               0D      4\n"
+    "106,2,4,0.,0.,5.,2.,0.,5.,0.,0.5,5.,0.,0.,5.;                          1P      1\n"
+    "108,0.,0.,1.,5.,1,0.,0.,0.,0.;                                         3P      2\n"
+    "S      1G      3D      4P      2                                        T      1\n";
+  EXPECT_EQ(bytesOf(triangle(), igesFormat(IgesEntities::faces)), expected);
+}
+
+TEST(Iges, IsSoundInEveryForm)
+{
+  for (const IgesEntities entities : kAll)
+  {
+    SCOPED_TRACE(static_cast<int>(entities));
+    const IgesStructure file(bytesOf(corpus::torus(20), igesFormat(entities)));
+    EXPECT_EQ(file.fault(), "");
+    EXPECT_GT(file.entities().size(), 0U);
+  }
+}
+
+TEST(Iges, PutsAnEntityForEachTriangle)
+{
+  const TriMesh mesh = scan::test::bentStrip(50);
+  const auto count = [&](IgesEntities entities, int type, int form)
+  { return IgesStructure(bytesOf(mesh, igesFormat(entities))).count(type, form); };
+  EXPECT_EQ(count(IgesEntities::faces, 108, 1), mesh.triangles.size());
+  EXPECT_EQ(count(IgesEntities::faces, 106, 12), mesh.triangles.size());
+  EXPECT_EQ(count(IgesEntities::nurbs, 128, 0), mesh.triangles.size());
+  EXPECT_EQ(count(IgesEntities::wireframe, 106, 12), mesh.triangles.size());
+  EXPECT_EQ(count(IgesEntities::points, 116, 0), mesh.points.size());
+}
+
+TEST(Iges, KeepsEveryBitOfCoordinates)
+{
+  TriMesh mesh = scan::test::bentStrip(50);
+  mesh.points.push_back({ -0.0, std::numeric_limits<double>::denorm_min(), -1e50 });
+  mesh.points.push_back({ 100000.0, 1e22, -1.2345678901234567e-300 });
+  const IgesStructure file(bytesOf(mesh, igesFormat(IgesEntities::points)));
+  ASSERT_EQ(file.entities().size(), mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    const auto& values = file.entities()[i].parameters;
+    ASSERT_EQ(values.size(), 5U);
+    const std::array<double, 3> found = { std::strtod(values[1].c_str(), nullptr),
+      std::strtod(values[2].c_str(), nullptr), std::strtod(values[3].c_str(), nullptr) };
+    using Bits = std::array<std::uint64_t, 3>;
+    ASSERT_EQ(std::bit_cast<Bits>(found), std::bit_cast<Bits>(mesh.points[i])) << i;
+  }
+}
+
+TEST(Iges, WritesAScanAsPointsWhateverTheOption)
+{
+  const TriMesh scan = scanOf(scan::test::bentStrip(30));
+  const std::string points = bytesOf(scan, igesFormat(IgesEntities::points));
+  EXPECT_EQ(IgesStructure(points).count(116, 0), scan.points.size());
+  for (const IgesEntities entities : kAll)
+  {
+    EXPECT_EQ(bytesOf(scan, igesFormat(entities)), points);
+  }
+}
+
+TEST(Iges, NamesTheUnit)
+{
+  const auto global = [](IgesUnit unit, double millimetres)
+  {
+    const std::string bytes = bytesOf(triangle(), igesFormat({ .unit = unit }, millimetres));
+    const std::size_t begin = bytes.find(",1.,") + 4;
+    return bytes.substr(begin, bytes.find(",1,0.01,") - begin);
+  };
+  EXPECT_EQ(global(IgesUnit::model, 0.0), "2,2HMM");
+  EXPECT_EQ(global(IgesUnit::model, 1.0), "2,2HMM");
+  EXPECT_EQ(global(IgesUnit::model, 10.0), "10,2HCM");
+  EXPECT_EQ(global(IgesUnit::model, 1000.0), "6,1HM");
+  EXPECT_EQ(global(IgesUnit::model, 25.4), "1,4HINCH");
+  EXPECT_EQ(global(IgesUnit::inch, 1.0), "1,4HINCH");
+  EXPECT_EQ(global(IgesUnit::metre, 0.0), "6,1HM");
+  EXPECT_EQ(global(IgesUnit::centimetre, 0.0), "10,2HCM");
+  EXPECT_EQ(global(IgesUnit::millimetre, 1000.0), "2,2HMM");
+}
+
+TEST(Iges, RefusesWhatItCannotHold)
+{
+  TriMesh mesh = triangle();
+  EXPECT_TRUE(contains(errorOf({}, igesFormat(IgesEntities::faces)), "badInput"));
+  EXPECT_TRUE(contains(errorOf(mesh, igesFormat({}, 7.0)), "no name for a unit of 7.0"));
+  mesh.points[1].x = std::nan("");
+  EXPECT_TRUE(contains(errorOf(mesh, igesFormat(IgesEntities::points)), "point 1 has"));
+}
+
+TEST(Iges, RefusesTrianglesWithoutAreaWhereTheyNeedAPlane)
+{
+  TriMesh mesh = triangle();
+  mesh.triangles.push_back({ 0, 0, 1 });
+  EXPECT_TRUE(contains(errorOf(mesh, igesFormat(IgesEntities::faces)), "triangle 1 has no area"));
+  EXPECT_EQ(errorOf(mesh, igesFormat(IgesEntities::nurbs)), "written");
+  EXPECT_EQ(errorOf(mesh, igesFormat(IgesEntities::wireframe)), "written");
+}
+
+TEST(Iges, SaysWhyASurfaceIsNoSolid)
+{
+  const auto error = [](const TriMesh& mesh)
+  { return errorOf(mesh, igesFormat(IgesEntities::solid)); };
+  EXPECT_TRUE(contains(error(corpus::square()), "4 boundary edges; mend it or write it as faces"));
+  EXPECT_TRUE(contains(error(corpus::tetrahedraOnOneEdge()), "1 non-manifold edges"));
+  EXPECT_TRUE(contains(error(corpus::tetrahedraOnOnePoint()), "1 non-manifold points"));
+  TriMesh turned = corpus::tetrahedron();
+  std::swap(turned.triangles[0][0], turned.triangles[0][1]);
+  EXPECT_TRUE(contains(error(turned), "3 misoriented edges"));
+}
+
+TEST(Iges, NeverNeedsMoreLinesThanItCanNumber)
+{
+  const auto codeOf = [](std::uint64_t entities, const std::function<void(scan::IgesSink&)>& put)
+  {
+    const scan::test::TemporaryFolder folder;
+    scan::Execution execution;
+    scan::OutputFile file(folder.file("x.igs"));
+    try
+    {
+      writeIgesFile({}, entities, put, file, execution);
+    }
+    catch (const scan::Error& error)
+    {
+      return error.code();
+    }
+    return scan::ErrorCode::internal;
+  };
+  EXPECT_EQ(codeOf(5'000'000, [](scan::IgesSink&) {}), scan::ErrorCode::limit);
+  const auto longEntity = [](scan::IgesSink& sink)
+  {
+    sink.begin({ .type = 116 });
+    for (int i = 0; i < 30'000'000; ++i)
+    {
+      sink.integer(std::numeric_limits<std::uint64_t>::max()); // three a line
+    }
+    sink.end();
+  };
+  EXPECT_EQ(codeOf(1, longEntity), scan::ErrorCode::limit);
+}
+
+TEST(Iges, StopsWhenCancelled)
+{
+  const scan::test::TemporaryFolder folder;
+  scan::CancelToken token;
+  token.cancel();
+  scan::Execution execution(1, token);
+  scan::OutputFile file(folder.file("x.igs"));
+  EXPECT_THROW(
+    igesFormat(IgesEntities::faces)(corpus::torus(10), file, execution), scan::Cancelled);
+}

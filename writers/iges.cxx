@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/iges.h"
+
+#include "filters/base/error.h"
+#include "filters/geometry/bounding_box.h"
+#include "writers/iges_file.h"
+#include "writers/iges_solid.h"
+#include "writers/triangle_plane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::string_view kPart = "00010000"; // means nothing without its parent
+
+/// A length that IGES has a flag and a name for.
+struct NamedUnit
+{
+  double millimetres;
+  std::uint64_t flag;
+  std::string_view name;
+};
+
+constexpr std::array<NamedUnit, 10> kUnits = { { { 1.0, 2, "MM" }, { 10.0, 10, "CM" },
+  { 1000.0, 6, "M" }, { 25.4, 1, "INCH" }, { 304.8, 4, "FT" }, { 1609344.0, 5, "MI" },
+  { 1e6, 7, "KM" }, { 0.0254, 8, "MIL" }, { 1e-3, 9, "UM" }, { 25.4e-6, 11, "UIN" } } };
+
+double millimetresOf(const Model& model, IgesUnit unit)
+{
+  switch (unit)
+  {
+    case IgesUnit::millimetre:
+      return 1.0;
+    case IgesUnit::centimetre:
+      return 10.0;
+    case IgesUnit::metre:
+      return 1000.0;
+    case IgesUnit::inch:
+      return 25.4;
+    case IgesUnit::model:
+      break;
+  }
+  return model.millimetresPerUnit == 0.0 ? 1.0 : model.millimetresPerUnit;
+}
+
+const NamedUnit& unitOf(const Model& model, IgesUnit unit, const OutputFile& file)
+{
+  const double millimetres = millimetresOf(model, unit);
+  const auto* const found = std::ranges::find_if(kUnits,
+    [&](const NamedUnit& named)
+    { return std::abs(millimetres - named.millimetres) <= 1e-9 * named.millimetres; });
+  if (found == kUnits.end())
+  {
+    throw Error(ErrorCode::badInput,
+      file.name() + ": IGES has no name for a unit of " + std::to_string(millimetres) +
+        " mm; scale the model and choose mm, cm, m or inch");
+  }
+  return *found;
+}
+
+bool isFinite(const Vec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+void requireWritable(const Model& model, const OutputFile& file)
+{
+  if (model.points.empty())
+  {
+    throw Error(ErrorCode::badInput, file.name() + ": no points and no triangles to write as IGES");
+  }
+  const auto bad = std::ranges::find_if_not(model.points, isFinite);
+  if (bad != model.points.end())
+  {
+    throw Error(ErrorCode::badInput,
+      file.name() + ": point " + std::to_string(bad - model.points.begin()) +
+        " has a coordinate that is not finite; remove it");
+  }
+}
+
+std::string_view describe(IgesEntities entities)
+{
+  switch (entities)
+  {
+    case IgesEntities::faces:
+      return "Triangles by Scanwrap: a bounded plane each (108 form 1)";
+    case IgesEntities::solid:
+      return "Solids by Scanwrap, bounded by triangles (186)";
+    case IgesEntities::nurbs:
+      return "Triangles by Scanwrap: a bilinear surface each (128)";
+    case IgesEntities::wireframe:
+      return "Triangles by Scanwrap: a closed polyline each (106 form 12)";
+    case IgesEntities::points:
+      break;
+  }
+  return "Points by Scanwrap (116)";
+}
+
+IgesHeader headerOf(const Model& model, const IgesOptions& options, const OutputFile& file)
+{
+  const NamedUnit& unit = unitOf(model, options.unit, file);
+  const BoundingBox box(model.points);
+  double largest = 0.0;
+  for (const Vec3& end : { box.low, box.high })
+  {
+    largest = std::max({ largest, std::abs(end.x), std::abs(end.y), std::abs(end.z) });
+  }
+  // Readers take it as tolerance: finer than the triangles, coarser than the rounding of planes
+  const double resolution = 1e-8 * box.diagonal() + 1e-14 * largest;
+  return { .description = describe(options.entities),
+    .unitFlag = unit.flag,
+    .unitName = unit.name,
+    .resolution = resolution > 0.0 ? resolution : 1e-8,
+    .largest = largest };
+}
+
+void putPoints(const TriMesh& mesh, IgesSink& sink)
+{
+  for (const Vec3& point : mesh.points)
+  {
+    sink.begin({ .type = 116 });
+    sink.point(point).integer(0); // no symbol
+    sink.end();
+  }
+}
+
+std::uint64_t putBorder(
+  const TriMesh& mesh, const Triangle& triangle, std::string_view status, IgesSink& sink)
+{
+  const auto& [a, b, c] = triangle;
+  sink.begin({ .type = 106, .form = 12, .status = status });
+  sink.integer(2).integer(4); // triples, how many
+  for (const Index corner : { a, b, c, a })
+  {
+    sink.point(mesh.points[corner]);
+  }
+  return sink.end();
+}
+
+void putWireframe(const TriMesh& mesh, IgesSink& sink)
+{
+  for (const Triangle& triangle : mesh.triangles)
+  {
+    putBorder(mesh, triangle, IgesKind{}.status, sink);
+  }
+}
+
+void putFaces(const TriMesh& mesh, IgesSink& sink, const OutputFile& file)
+{
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const auto plane = planeOf(mesh.points[a], mesh.points[b], mesh.points[c]);
+    if (!plane)
+    {
+      throw Error(ErrorCode::badInput,
+        file.name() + ": triangle " + std::to_string(t) +
+          " has no area, so no plane; remove it or write nurbs or wireframe");
+    }
+    const std::uint64_t border = putBorder(mesh, mesh.triangles[t], kPart, sink);
+    sink.begin({ .type = 108, .form = 1 });
+    sink.point(plane->normal).real(plane->offset).integer(border);
+    sink.point({}).real(0.0); // no symbol
+    sink.end();
+  }
+}
+
+void putNurbs(const TriMesh& mesh, IgesSink& sink)
+{
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    sink.begin({ .type = 128 });
+    sink.integer(1).integer(1).integer(1).integer(1); // last control points, degrees
+    // open both ways, polynomial, not periodic
+    sink.integer(0).integer(0).integer(1).integer(0).integer(0);
+    for (const double knot : { 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0 })
+    {
+      sink.real(knot);
+    }
+    for (int weight = 0; weight < 4; ++weight)
+    {
+      sink.real(1.0);
+    }
+    for (const Index corner : { a, b, c, c })
+    {
+      sink.point(mesh.points[corner]);
+    }
+    sink.real(0.0).real(1.0).real(0.0).real(1.0);
+    sink.end();
+  }
+}
+
+void writeTriangles(const Model& model, IgesEntities entities, const IgesHeader& header,
+  OutputFile& file, Execution& execution)
+{
+  const std::uint64_t each = entities == IgesEntities::faces ? 2 : 1;
+  const auto put = [&](IgesSink& sink)
+  {
+    switch (entities)
+    {
+      case IgesEntities::faces:
+        putFaces(model, sink, file);
+        break;
+      case IgesEntities::nurbs:
+        putNurbs(model, sink);
+        break;
+      default:
+        putWireframe(model, sink);
+    }
+  };
+  writeIgesFile(header, each * model.triangles.size(), put, file, execution);
+}
+
+} // namespace
+
+void writeIges(
+  const Model& model, const IgesOptions& options, OutputFile& file, Execution& execution)
+{
+  requireWritable(model, file);
+  IgesOptions chosen = options;
+  if (model.triangles.empty())
+  {
+    chosen.entities = IgesEntities::points;
+  }
+  const IgesHeader header = headerOf(model, chosen, file);
+  if (chosen.entities == IgesEntities::points)
+  {
+    const auto put = [&](IgesSink& sink) { putPoints(model, sink); };
+    writeIgesFile(header, model.points.size(), put, file, execution);
+  }
+  else if (chosen.entities == IgesEntities::solid)
+  {
+    writeIgesSolid(model, header, file, execution);
+  }
+  else
+  {
+    writeTriangles(model, chosen.entities, header, file, execution);
+  }
+}
+
+} // namespace scan

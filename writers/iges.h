@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/model.h"
+#include "writers/output_file.h"
+
+namespace scan
+{
+
+/// What a triangle becomes in IGES, which has no mesh that every program reads.
+enum class IgesEntities
+{
+  faces,     ///< a bounded plane each: 108 form 1, its border 106 form 12
+  solid,     ///< faces that know their neighbours, of closed bodies: 186
+  nurbs,     ///< a bilinear patch each, one side of which is a point: 128
+  wireframe, ///< a closed polyline each: 106 form 12
+  points     ///< none: the points of the model, used or not: 116
+};
+
+/// What one unit of the coordinates is declared to be. The coordinates stay as they are.
+enum class IgesUnit
+{
+  model, ///< what the model says; millimetres when it does not say
+  millimetre,
+  centimetre,
+  metre,
+  inch
+};
+
+struct IgesOptions
+{
+  IgesEntities entities = IgesEntities::faces;
+  IgesUnit unit = IgesUnit::model;
+};
+
+/// Writes a model as IGES 5.3 (ANSI US PRO/IPO-100-1996) with every digit of its coordinates; the
+/// caller commits the file. Colours and normals are not written. Points without triangles become
+/// 116 whatever the option; beside triangles, points that none of them uses are left out. The same
+/// model gives the same bytes. Phase "write".
+///
+/// A solid is a 186 for each outermost shell, in the order of their first triangles. A shell that
+/// faces inwards is a void of the smallest body around it; where there is none it is turned to face
+/// outwards.
+///
+/// Files are large, 530 to 2100 bytes a triangle, and each triangle is a surface to the program
+/// that reads them: above 50,000 triangles most struggle. Decimate first.
+///
+/// Throws Error badInput for an empty model, a coordinate that is not finite, a unit without an
+/// IGES name, for faces or a solid a triangle without area, for a solid a surface that is not
+/// closed, oriented and manifold. Throws Error limit where a section needs more than 9,999,999
+/// lines: about 600,000 triangles as a solid, 1.4 million as faces or nurbs, 2 million as
+/// wireframe, 4,999,999 points.
+void writeIges(
+  const Model& model, const IgesOptions& options, OutputFile& file, Execution& execution);
+
+} // namespace scan
