@@ -3,6 +3,7 @@
 #include "writers/glb.h"
 
 #include "filters/base/error.h"
+#include "readers/gltf.h"
 #include "tests/writers/assimp.h"
 
 #include <gtest/gtest.h>
@@ -154,6 +155,25 @@ TEST(Glb, HoldsColoursAndNormalsOfAScan)
   EXPECT_NE(json.find(R"("count":2,"type":"VEC4","normalized":true)"), std::string::npos);
   EXPECT_NE(json.find(R"("nodes":[{"mesh":0}])"), std::string::npos);
   EXPECT_TRUE(bytes.ends_with(std::string("\xff\0\x07\xff\x01\x02\x03\xff", 8)));
+}
+
+TEST(Glb, ComesBackFromTheReader)
+{
+  const Vec3 centre{ 665187.522077, -5648349.895035, 12345678.9 };
+  Model model = torus(40, centre);
+  model.colors.assign(model.points.size(), { 1, 2, 3 });
+  model.normals.assign(model.points.size(), { 0, 0, 1 });
+  const Model read = scan::test::parse(scan::parseGltf, bytesOf(model));
+  EXPECT_EQ(read.triangles, model.triangles);
+  EXPECT_EQ(read.colors, model.colors);
+  EXPECT_EQ(read.normals, model.normals);
+  EXPECT_EQ(read.millimetresPerUnit, 1000.0);
+  ASSERT_EQ(read.points.size(), model.points.size());
+  for (std::size_t i = 0; i < read.points.size(); ++i)
+  {
+    const Vec3 difference = read.points[i] * 1000.0 - model.points[i];
+    EXPECT_LT(std::sqrt(dot(difference, difference)), 1e-5) << i;
+  }
 }
 
 TEST(Glb, RefusesWhatItCannotHold)

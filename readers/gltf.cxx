@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/gltf.h"
+
+#include "filters/base/error.h"
+#include "readers/coordinate_check.h"
+#include "readers/gltf_document.h"
+#include "readers/gltf_scene.h"
+#include "readers/text_scanner.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace scan
+{
+namespace
+{
+
+using Json = GltfDocument::Json;
+
+constexpr std::size_t kStep = 1U << 16U;
+
+enum Mode : std::size_t
+{
+  kPoints = 0,
+  kTriangles = 4,
+  kStrip = 5,
+  kFan = 6
+};
+
+/// Vertices that primitives share.
+struct VertexSet
+{
+  GltfAccessor positions;
+  std::optional<GltfAccessor> normals;
+  std::optional<GltfAccessor> colors;
+};
+
+/// Triangles on them.
+struct Primitive
+{
+  std::size_t vertices = 0; // index of the set
+  std::size_t mode = kTriangles;
+  std::optional<GltfAccessor> indices;
+};
+
+struct Mesh
+{
+  std::vector<VertexSet> sets;
+  std::vector<Primitive> primitives;
+  std::size_t pointCount = 0;
+  std::size_t triangleCount = 0; // at most
+  bool hasNormals = false;
+  bool hasColors = false;
+};
+
+bool isUsable(const Vec3& point)
+{
+  constexpr double kLargest = CoordinateCheck::kLargest;
+  return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest &&
+    std::abs(point.z) <= kLargest; // false for NaN
+}
+
+std::uint8_t byteOf(double fraction)
+{
+  return static_cast<std::uint8_t>(fraction > 0.0 ? std::min(fraction, 1.0) * 255.0 + 0.5 : 0.0);
+}
+
+/// Fills a model from the scene of a document.
+class Loader
+{
+public:
+  Loader(const Source& source, Execution& execution)
+    : Document(source, execution)
+    , Input(source)
+    , Run(execution)
+    , Meshes(this->Document.size("meshes"))
+  {
+  }
+
+  Model load()
+  {
+    for (const GltfPlacement& placed : gltfScene(this->Document, this->Run))
+    {
+      this->place(placed);
+    }
+    this->reserve();
+    for (const GltfPlacement& placed : this->Scene)
+    {
+      this->append(*this->Meshes[placed.mesh], placed.place);
+    }
+    this->finish();
+    return std::move(this->Result);
+  }
+
+private:
+  // ---- The meshes
+
+  void place(const GltfPlacement& placed)
+  {
+    const Json& json = this->Document.entry("meshes", placed.mesh);
+    std::optional<Mesh>& mesh = this->Meshes[placed.mesh];
+    if (!mesh)
+    {
+      mesh = this->resolve(json, placed.mesh);
+    }
+    if (mesh->pointCount > 0)
+    {
+      this->Scene.push_back(placed);
+    }
+  }
+
+  Mesh resolve(const Json& json, std::size_t index)
+  {
+    Mesh mesh;
+    std::map<std::array<std::size_t, 3>, std::size_t> known;
+    for (const Json& primitive : this->Document.array(json, "primitives"))
+    {
+      this->Run.step("read", 1, 2);
+      const auto attributes = primitive.find("attributes");
+      const std::size_t mode = this->Document.number(primitive, "mode").value_or(kTriangles);
+      if (mode != kPoints && (mode < kTriangles || mode > kFan))
+      {
+        continue; // lines
+      }
+      if (attributes == primitive.end() || !attributes->contains("POSITION"))
+      {
+        this->Input.fail(
+          "a primitive of mesh " + std::to_string(index) + " has no attribute POSITION");
+      }
+      constexpr std::size_t kMissing = std::numeric_limits<std::size_t>::max();
+      const std::array<std::size_t, 3> key = {
+        this->Document.number(*attributes, "POSITION").value_or(kMissing),
+        this->Document.number(*attributes, "NORMAL").value_or(kMissing),
+        this->Document.number(*attributes, "COLOR_0").value_or(kMissing)
+      };
+      const auto [entry, isNew] = known.emplace(key, mesh.sets.size());
+      if (isNew)
+      {
+        VertexSet& set = mesh.sets.emplace_back();
+        set.positions = this->vertexData(key[0], 0, false);
+        mesh.pointCount += set.positions.count;
+        if (key[1] != kMissing)
+        {
+          set.normals = this->vertexData(key[1], set.positions.count, false);
+          mesh.hasNormals = true;
+        }
+        if (key[2] != kMissing)
+        {
+          set.colors = this->vertexData(key[2], set.positions.count, true);
+          set.colors->isNormalized = true;
+          mesh.hasColors = true;
+        }
+      }
+      if (mode != kPoints)
+      {
+        this->resolveTriangles(primitive, mesh, { entry->second, mode, {} });
+      }
+    }
+    return mesh;
+  }
+
+  GltfAccessor vertexData(std::size_t index, std::size_t count, bool hasAlpha)
+  {
+    const GltfAccessor accessor = this->Document.accessor(index);
+    if ((count != 0 && accessor.count != count) ||
+      (accessor.components != 3 && (!hasAlpha || accessor.components != 4)))
+    {
+      this->Input.fail("accessor " + std::to_string(index) +
+        " does not hold three numbers for each vertex; the file is malformed");
+    }
+    return accessor;
+  }
+
+  void resolveTriangles(const Json& json, Mesh& mesh, Primitive primitive)
+  {
+    std::size_t count = mesh.sets[primitive.vertices].positions.count;
+    if (const std::optional<std::size_t> indices = this->Document.number(json, "indices"))
+    {
+      primitive.indices = this->Document.accessor(*indices);
+      count = primitive.indices->count;
+      if (primitive.indices->components != 1 || !primitive.indices->isUnsigned())
+      {
+        this->Input.fail("accessor " + std::to_string(*indices) + " does not hold indices");
+      }
+    }
+    if (primitive.mode == kTriangles && count % 3 != 0)
+    {
+      this->Input.fail("triangles have " + std::to_string(count) +
+        " corners, which is not a multiple of three; the file is malformed");
+    }
+    if (count >= 3)
+    {
+      mesh.triangleCount += primitive.mode == kTriangles ? count / 3 : count - 2;
+      mesh.primitives.push_back(std::move(primitive));
+    }
+  }
+
+  // ---- The model
+
+  /// A mesh may be shown many times: what all that takes is known before memory is taken.
+  void reserve()
+  {
+    double points = 0.0;
+    double triangles = 0.0;
+    for (const GltfPlacement& placed : this->Scene)
+    {
+      const Mesh& mesh = *this->Meshes[placed.mesh];
+      points += static_cast<double>(mesh.pointCount);
+      triangles += static_cast<double>(mesh.triangleCount);
+      this->HasNormals = this->HasNormals || mesh.hasNormals;
+      this->HasColors = this->HasColors || mesh.hasColors;
+    }
+    const double bytes =
+      points * (this->HasNormals ? 51.0 : 27.0) + triangles * double(sizeof(Triangle));
+    if (bytes > 12.0 * static_cast<double>(this->Input.bytes.size()) + 36e6)
+    {
+      this->Input.fail("the scene shows its meshes so often that they take " +
+        std::to_string(static_cast<std::uint64_t>(std::min(bytes, 1e18) / 1e6)) +
+        " MB; export it with fewer copies");
+    }
+    if (points >= kNone)
+    {
+      throw Error(ErrorCode::limit,
+        std::string(this->Input.name) + ": more than 4294967294 points; split the file");
+    }
+    const auto count = static_cast<std::size_t>(points);
+    this->Result.points.reserve(count);
+    this->Result.normals.reserve(this->HasNormals ? count : 0);
+    this->Result.colors.reserve(this->HasColors ? count : 0);
+    this->Result.triangles.reserve(static_cast<std::size_t>(triangles));
+    this->Total = static_cast<std::size_t>(points + triangles);
+  }
+
+  void report()
+  {
+    if (this->Done++ % kStep == 0)
+    {
+      this->Run.step("read", this->Total + this->Done, 2 * this->Total);
+    }
+  }
+
+  void append(const Mesh& mesh, const Affine& place)
+  {
+    std::vector<Index> firsts;
+    for (const VertexSet& set : mesh.sets)
+    {
+      firsts.push_back(static_cast<Index>(this->Result.points.size()));
+      for (std::size_t i = 0; i < set.positions.count; ++i)
+      {
+        this->report();
+        this->appendVertex(set, i, place);
+      }
+    }
+    for (const Primitive& primitive : mesh.primitives)
+    {
+      this->appendTriangles(
+        primitive, mesh.sets[primitive.vertices], firsts[primitive.vertices], place.isMirror());
+    }
+  }
+
+  static Vec3 vectorOf(const GltfAccessor& values, std::size_t i)
+  {
+    return { values.real(i, 0), values.real(i, 1), values.real(i, 2) };
+  }
+
+  void appendVertex(const VertexSet& set, std::size_t i, const Affine& place)
+  {
+    const Vec3 point = place.point(vectorOf(set.positions, i));
+    if (!isUsable(point))
+    {
+      this->FirstUnusable = this->Unusable++ == 0 ? set.positions.index : this->FirstUnusable;
+    }
+    this->Result.points.push_back(point);
+    if (this->HasNormals)
+    {
+      this->Result.normals.push_back(
+        set.normals ? place.normal(vectorOf(*set.normals, i)) : Vec3{});
+    }
+    if (this->HasColors)
+    {
+      const Vec3 color = set.colors ? vectorOf(*set.colors, i) : Vec3{ 1.0, 1.0, 1.0 };
+      this->Result.colors.push_back({ byteOf(color.x), byteOf(color.y), byteOf(color.z) });
+    }
+  }
+
+  void appendTriangles(
+    const Primitive& primitive, const VertexSet& set, Index first, bool isMirrored)
+  {
+    const std::size_t known = set.positions.count;
+    const std::size_t count = primitive.indices ? primitive.indices->count : known;
+    Triangle last = {};
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->report();
+      const std::size_t corner = primitive.indices ? primitive.indices->integer(i) : i;
+      if (corner >= known)
+      {
+        this->Input.fail("accessor " + std::to_string(primitive.indices->index) +
+          " refers to vertex " + std::to_string(corner) + ", but there are " +
+          std::to_string(known) + ", counted from 0");
+      }
+      const Index added = first + static_cast<Index>(corner);
+      const bool isFan = primitive.mode == kFan && used >= 3;
+      last = { isFan ? last[0] : last[1], last[2], added };
+      ++used;
+      if (used < 3 || (primitive.mode == kTriangles && used % 3 != 0))
+      {
+        continue;
+      }
+      const bool isSwapped = (primitive.mode == kStrip && used % 2 == 0) != isMirrored;
+      const auto [a, b, c] = last;
+      if (primitive.mode != kStrip || (a != b && b != c && c != a)) // strips are joined so
+      {
+        this->Result.triangles.push_back(isSwapped ? Triangle{ b, a, c } : Triangle{ a, b, c });
+      }
+    }
+  }
+
+  void finish()
+  {
+    if (this->Result.points.empty())
+    {
+      this->Input.fail("the scene has no points and no triangles; export meshes");
+    }
+    if (this->Unusable > 0)
+    {
+      this->Input.fail(std::to_string(this->Unusable) + " of " +
+        std::to_string(this->Result.points.size()) +
+        " points have coordinates that are not finite or exceed 1e50 (first: accessor " +
+        std::to_string(this->FirstUnusable) + "); remove them");
+    }
+    this->Result.millimetresPerUnit = 1000.0;
+  }
+
+  GltfDocument Document;
+  const Source& Input;
+  Execution& Run;
+  std::vector<std::optional<Mesh>> Meshes;
+  std::vector<GltfPlacement> Scene;
+  Model Result;
+  bool HasNormals = false;
+  bool HasColors = false;
+  std::size_t Unusable = 0;
+  std::size_t FirstUnusable = 0;
+  std::size_t Total = 0;
+  std::size_t Done = 0;
+};
+
+} // namespace
+
+Model parseGltf(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  const Source source{ name, bytes };
+  try
+  {
+    return Loader(source, execution).load();
+  }
+  catch (const Json::exception& error)
+  {
+    source.fail("malformed glTF: " + quoted(error.what()));
+  }
+}
+
+bool looksLikeGltf(std::span<const char> head)
+{
+  const std::string_view text(head.data(), head.size());
+  if (text.starts_with("glTF"))
+  {
+    return true;
+  }
+  const char* const end = head.data() + head.size();
+  const char* const first =
+    skipSpace(head.data() + (text.starts_with("\xef\xbb\xbf") ? 3 : 0), end);
+  if (first == end || *first != '{')
+  {
+    return false;
+  }
+  for (const char* const key :
+    { "\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"buffers\"", "\"meshes\"", "\"scenes\"" })
+  {
+    if (text.find(key) != std::string_view::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace scan
