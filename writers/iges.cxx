@@ -18,8 +18,6 @@ namespace scan
 namespace
 {
 
-constexpr std::string_view kPart = "00010000"; // means nothing without its parent
-
 /// A length that IGES has a flag and a name for.
 struct NamedUnit
 {
@@ -164,7 +162,7 @@ void putFaces(const TriMesh& mesh, IgesSink& sink, const OutputFile& file)
         file.name() + ": triangle " + std::to_string(t) +
           " has no area, so no plane; remove it or write nurbs or wireframe");
     }
-    const std::uint64_t border = putBorder(mesh, mesh.triangles[t], kPart, sink);
+    const std::uint64_t border = putBorder(mesh, mesh.triangles[t], kIgesPart, sink);
     sink.begin({ .type = 108, .form = 1 });
     sink.point(plane->normal).real(plane->offset).integer(border);
     sink.point({}).real(0.0); // no symbol

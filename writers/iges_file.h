@@ -15,7 +15,10 @@
 namespace scan
 {
 
-/// An entity's type and form, and its status: whether others depend on it.
+/// The status of an entity that means nothing without the one that names it.
+inline constexpr std::string_view kIgesPart = "00010000";
+
+/// An entity's type and form, and its status: whether it stands alone.
 struct IgesKind
 {
   std::uint64_t type = 0;

@@ -16,8 +16,7 @@ namespace scan
 namespace
 {
 
-constexpr std::string_view kPart = "00010000";       // means nothing without its parent
-constexpr std::string_view kDefinition = "00010200"; // and is no geometry itself
+constexpr std::string_view kDefinition = "00010200"; // a part that is no geometry
 constexpr std::uint64_t kEntitiesPerFace = 6;
 constexpr std::uint64_t kEntitiesPerShell = 3;
 
@@ -62,7 +61,7 @@ public:
     {
       faces.push_back(this->putFace(t));
     }
-    this->Sink.begin({ .type = 514, .form = 1, .status = kPart });
+    this->Sink.begin({ .type = 514, .form = 1, .status = kIgesPart });
     this->Sink.integer(faces.size());
     for (const std::uint64_t face : faces)
     {
@@ -77,7 +76,7 @@ private:
 
   void putPoints()
   {
-    this->Sink.begin({ .type = 502, .form = 1, .status = kPart });
+    this->Sink.begin({ .type = 502, .form = 1, .status = kIgesPart });
     this->Sink.integer(this->Mesh.points.size());
     for (const Vec3& point : this->Mesh.points)
     {
@@ -95,7 +94,7 @@ private:
     {
       if (this->leads(half))
       {
-        this->Sink.begin({ .type = 110, .status = kPart });
+        this->Sink.begin({ .type = 110, .status = kIgesPart });
         this->Sink.point(this->Mesh.points[originOf(this->Mesh, half)]);
         this->Sink.point(this->Mesh.points[originOf(this->Mesh, nextHalf(half))]);
         lines.push_back(this->Sink.end());
@@ -103,7 +102,7 @@ private:
         this->EdgeOf[this->Shell.mate[half]] = lines.size();
       }
     }
-    this->Sink.begin({ .type = 504, .form = 1, .status = kPart });
+    this->Sink.begin({ .type = 504, .form = 1, .status = kIgesPart });
     this->Sink.integer(lines.size());
     for (Index half = 0; half < halves; ++half)
     {
@@ -123,7 +122,7 @@ private:
   std::uint64_t putFace(Index t)
   {
     const std::uint64_t plane = this->putPlane(this->Mesh.triangles[t]);
-    this->Sink.begin({ .type = 508, .form = 1, .status = kPart });
+    this->Sink.begin({ .type = 508, .form = 1, .status = kIgesPart });
     this->Sink.integer(3);
     for (Index half = 3 * t; half < 3 * t + 3; ++half)
     {
@@ -131,7 +130,7 @@ private:
       this->Sink.integer(this->leads(half) ? 1 : 0).integer(0); // no curves on the surface
     }
     const std::uint64_t loop = this->Sink.end();
-    this->Sink.begin({ .type = 510, .form = 1, .status = kPart });
+    this->Sink.begin({ .type = 510, .form = 1, .status = kIgesPart });
     this->Sink.integer(plane).integer(1).integer(1).integer(loop); // one loop, the outer one
     return this->Sink.end();
   }
@@ -147,7 +146,7 @@ private:
         this->Name +
           ": a triangle has no area, so no plane; remove it or write nurbs or wireframe");
     }
-    this->Sink.begin({ .type = 116, .status = kPart });
+    this->Sink.begin({ .type = 116, .status = kIgesPart });
     this->Sink.point(corner).integer(0);
     const std::uint64_t location = this->Sink.end();
     const auto direction = [this](const Vec3& v)
@@ -158,7 +157,7 @@ private:
     };
     const std::uint64_t normal = direction(plane->normal);
     const std::uint64_t along = direction(plane->along);
-    this->Sink.begin({ .type = 190, .form = 1, .status = kPart });
+    this->Sink.begin({ .type = 190, .form = 1, .status = kIgesPart });
     this->Sink.integer(location).integer(normal).integer(along);
     return this->Sink.end();
   }

@@ -75,6 +75,10 @@ void expectFaces(const TriMesh& mesh, IgesEntities entities, double tolerance = 
   const double area = scan::describeMesh(mesh).area;
   EXPECT_EQ(content.faces, mesh.triangles.size());
   EXPECT_NEAR(content.area, area, tolerance * area);
+  if (const auto volume = scan::describeMesh(mesh).volume; volume && tolerance < 1e-9)
+  {
+    EXPECT_NEAR(content.volume, *volume, tolerance * *volume);
+  }
   EXPECT_TRUE(content.isValid);
   expectSamePoints(content.vertices, mesh.points);
 }

@@ -25,6 +25,8 @@ public:
   /// The first thing wrong: columns, numbers of lines, pointers, numbers broken across lines.
   const std::string& fault() const { return this->Fault; }
   const std::vector<Entity>& entities() const { return this->Entities; }
+  /// By the number of its entry.
+  const Entity& entity(std::size_t entry) const { return this->Entities.at(entry / 2); }
   std::size_t count(int type, int form) const;
 
 private:

@@ -16,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -61,6 +62,34 @@ TriMesh scanOf(TriMesh mesh)
 {
   mesh.triangles.clear();
   return mesh;
+}
+
+/// A parameter that is a number; 0 is the type.
+std::size_t number(const IgesStructure::Entity& entity, std::size_t index)
+{
+  return std::strtoul(entity.parameters.at(index).c_str(), nullptr, 10);
+}
+
+Vec3 vector(const IgesStructure::Entity& entity)
+{
+  const auto real = [&](std::size_t i)
+  { return std::strtod(entity.parameters.at(i).c_str(), nullptr); };
+  return { real(1), real(2), real(3) };
+}
+
+/// The corners of a face of three edges, numbers of points from 0.
+scan::Triangle cornersOf(const IgesStructure& file, const IgesStructure::Entity& face)
+{
+  const auto& loop = file.entity(number(face, 4));
+  scan::Triangle corners;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const auto& edges = file.entity(number(loop, 5 * k + 3));
+    const bool runsAlong = number(loop, 5 * k + 5) == 1;
+    const std::size_t edge = 5 * number(loop, 5 * k + 4) - 3; // its curve, start and end
+    corners[k] = static_cast<scan::Index>(number(edges, edge + (runsAlong ? 2 : 4)) - 1);
+  }
+  return corners;
 }
 
 } // namespace
@@ -120,6 +149,28 @@ TEST(Iges, KeepsEveryBitOfCoordinates)
       std::strtod(values[2].c_str(), nullptr), std::strtod(values[3].c_str(), nullptr) };
     using Bits = std::array<std::uint64_t, 3>;
     ASSERT_EQ(std::bit_cast<Bits>(found), std::bit_cast<Bits>(mesh.points[i])) << i;
+  }
+}
+
+TEST(Iges, SolidHasTheTrianglesAndTheirOutside)
+{
+  const TriMesh mesh = corpus::tetrahedron();
+  const IgesStructure file(bytesOf(mesh, igesFormat(IgesEntities::solid)));
+  const auto& solid = file.entities().back();
+  EXPECT_EQ(solid.parameters, (std::vector<std::string>{ "186", "65", "1", "0" }));
+  const auto& shell = file.entity(number(solid, 1));
+  ASSERT_EQ(number(shell, 1), mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& face = file.entity(number(shell, 2 * t + 2));
+    EXPECT_EQ(number(shell, 2 * t + 3), 1U);
+    const scan::Triangle corners = cornersOf(file, face);
+    EXPECT_EQ(corners, mesh.triangles[t]);
+    const Vec3 a = mesh.points[corners[0]];
+    const Vec3 normal = cross(mesh.points[corners[1]] - a, mesh.points[corners[2]] - a);
+    const auto& plane = file.entity(number(face, 1));
+    EXPECT_EQ(vector(file.entity(number(plane, 1))), a);
+    EXPECT_GT(dot(vector(file.entity(number(plane, 2))), normal), 0.99 * std::sqrt(3.0));
   }
 }
 
