@@ -137,6 +137,11 @@ TEST_F(Written3ds, RefusesWhatItCannotHold)
   EXPECT_EQ(writeError(model, scan::writeAutodesk3ds), scan::ErrorCode::limit);
 }
 
+TEST_F(Written3ds, StopsWhenCancelled)
+{
+  scan::test::expectCancels(scan::test::oneTriangle(), scan::writeAutodesk3ds);
+}
+
 TEST_F(Written3ds, IsReadByAssimp)
 {
   if (!scan::test::hasAssimp())

@@ -8,6 +8,16 @@
 #include <functional>
 #include <sstream>
 
+namespace scan
+{
+
+static void PrintTo(DxfFaces faces, std::ostream* stream)
+{
+  *stream << (faces == DxfFaces::polyface ? "polyface" : "face3d");
+}
+
+} // namespace scan
+
 namespace
 {
 
@@ -116,6 +126,12 @@ TEST_P(DxfFile, RefusesAnEmptyModel)
   EXPECT_EQ(scan::test::writeError({}, dxf(this->GetParam())), scan::ErrorCode::badInput);
 }
 
+TEST_P(DxfFile, StopsWhenCancelled)
+{
+  scan::test::expectCancels(scan::test::oneTriangle(), dxf(this->GetParam()));
+  scan::test::expectCancels(scan::test::threePoints(), dxf(this->GetParam()));
+}
+
 TEST_P(DxfFile, IsReadByAssimp)
 {
   if (!scan::test::hasAssimp())
@@ -137,8 +153,8 @@ TEST_P(DxfFile, PassesTheAuditOfEzdxf)
   {
     GTEST_SKIP() << "python3-ezdxf is not installed";
   }
-  for (Model model :
-    { scan::test::grid(200, 90, true), scan::test::grid(60, 40, false), scan::test::nonManifold() })
+  for (Model model : { scan::test::grid(130, 127, true), scan::test::grid(60, 40, false),
+         scan::test::nonManifold() })
   {
     for (Vec3& p : model.points)
     {
@@ -160,8 +176,7 @@ TEST_P(DxfFile, PassesTheAuditOfEzdxf)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Faces, DxfFile, testing::Values(DxfFaces::face3d));
-INSTANTIATE_TEST_SUITE_P(Polyface, DxfFile, testing::Values(DxfFaces::polyface));
+INSTANTIATE_TEST_SUITE_P(Written, DxfFile, testing::Values(DxfFaces::face3d, DxfFaces::polyface));
 
 TEST(WrittenDxf, SplitsPolyfacesWithManyPoints)
 {

@@ -55,6 +55,18 @@ ErrorCode writeError(const Model& model, const Format& format)
   return ErrorCode::internal;
 }
 
+/// Expects that the writer ends early when the user has cancelled.
+template <class Format>
+void expectCancels(const Model& model, const Format& format)
+{
+  const TemporaryFolder folder;
+  CancelToken token;
+  token.cancel();
+  Execution execution(1, token);
+  OutputFile file(folder.file("out"));
+  EXPECT_THROW(format(model, file, execution), Cancelled);
+}
+
 inline Model oneTriangle()
 {
   Model model;

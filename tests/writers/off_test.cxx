@@ -39,6 +39,11 @@ TEST(WrittenOff, HasColorsFromZeroToOne)
     "0 -0.125 1e-07 0.0118 0.0118 0.0118 1.0\n");
 }
 
+TEST(WrittenOff, StopsWhenCancelled)
+{
+  scan::test::expectCancels(scan::test::oneTriangle(), scan::writeOff);
+}
+
 TEST(WrittenOff, IsReadByAssimp)
 {
   if (!scan::test::hasAssimp())

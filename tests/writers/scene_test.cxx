@@ -99,7 +99,15 @@ Model reread(Model (*read)(const std::string&), const Model& model, const SceneF
   return read(folder.file("out.wrl"));
 }
 
-class SceneFile : public testing::TestWithParam<SceneFormat>
+struct NamedFormat
+{
+  const char* name;
+  SceneFormat format;
+
+  friend void PrintTo(const NamedFormat& format, std::ostream* stream) { *stream << format.name; }
+};
+
+class SceneFile : public testing::TestWithParam<NamedFormat>
 {
 };
 
@@ -143,12 +151,18 @@ TEST(WrittenVrml97, HasOneShape)
 
 TEST_P(SceneFile, RefusesWhatItCannotHold)
 {
-  EXPECT_EQ(scan::test::writeError({}, this->GetParam()), scan::ErrorCode::badInput);
+  EXPECT_EQ(scan::test::writeError({}, this->GetParam().format), scan::ErrorCode::badInput);
   Model model = scan::test::oneTriangle();
   model.points[2].z = -3.5e38;
-  EXPECT_EQ(scan::test::writeError(model, this->GetParam()), scan::ErrorCode::limit);
+  EXPECT_EQ(scan::test::writeError(model, this->GetParam().format), scan::ErrorCode::limit);
   model.points[2].z = -3.4e38;
-  EXPECT_FALSE(modelBytes(model, this->GetParam()).empty());
+  EXPECT_FALSE(modelBytes(model, this->GetParam().format).empty());
+}
+
+TEST_P(SceneFile, StopsWhenCancelled)
+{
+  scan::test::expectCancels(
+    scan::test::colored(scan::test::oneTriangle()), this->GetParam().format);
 }
 
 #ifdef SCAN_COIN_READER
@@ -158,14 +172,14 @@ TEST_P(SceneFile, IsDrawnByCoin)
   for (const Model& model : { scan::test::grid(60, 40, true), scan::test::grid(60, 40, false),
          scan::test::nonManifold(), scan::test::colored(scan::test::grid(300, 200, true)) })
   {
-    scan::test::expectSame(reread(readWithCoin, model, this->GetParam()), model);
+    scan::test::expectSame(reread(readWithCoin, model, this->GetParam().format), model);
   }
 }
 
 TEST_P(SceneFile, IsDrawnByCoinInItsColors)
 {
   const Model model = scan::test::colored(scan::test::grid(30, 20, true));
-  const Model surface = reread(readWithCoin, model, this->GetParam());
+  const Model surface = reread(readWithCoin, model, this->GetParam().format);
   ASSERT_EQ(surface.points.size(), 3 * model.triangles.size());
   for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
@@ -175,7 +189,7 @@ TEST_P(SceneFile, IsDrawnByCoinInItsColors)
   }
   Model points = model;
   points.triangles.clear();
-  const Model scan = reread(readWithCoin, points, this->GetParam());
+  const Model scan = reread(readWithCoin, points, this->GetParam().format);
   EXPECT_TRUE(scan.points == points.points);
   EXPECT_TRUE(scan.colors == points.colors);
 }
@@ -189,9 +203,9 @@ TEST_P(SceneFile, IsDrawnByCoin)
 
 #endif
 
-INSTANTIATE_TEST_SUITE_P(Inventor, SceneFile, testing::Values(kInventor));
-INSTANTIATE_TEST_SUITE_P(Vrml1, SceneFile, testing::Values(kVrml1));
-INSTANTIATE_TEST_SUITE_P(Vrml97, SceneFile, testing::Values(kVrml97));
+INSTANTIATE_TEST_SUITE_P(Written, SceneFile,
+  testing::Values(NamedFormat{ "Inventor", kInventor }, NamedFormat{ "Vrml1", kVrml1 },
+    NamedFormat{ "Vrml97", kVrml97 }));
 
 TEST(WrittenInventor, IsReadBySgiInventor)
 {

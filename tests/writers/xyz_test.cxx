@@ -45,6 +45,11 @@ TEST(WrittenXyz, HoldsTheLongestNumbers)
   EXPECT_EQ(modelBytes(model, scan::writeXyz), three + " 100 200 255 " + three + "\n");
 }
 
+TEST(WrittenXyz, StopsWhenCancelled)
+{
+  scan::test::expectCancels(scan::test::threePoints(), scan::writeXyz);
+}
+
 TEST(WrittenXyz, ReadsBackWithoutLoss)
 {
   const Model model = scan::test::grid(60, 40, true);
