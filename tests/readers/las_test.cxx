@@ -154,7 +154,9 @@ TEST(Las, ReadsEveryVersionAndFormat)
         const Model model = parse(las.bytes());
         EXPECT_EQ(model.points, kPoints) << minor << " " << int(format) << " " << extra;
         const bool hasColors = format < 11 && kLayouts[format].color != 0;
-        EXPECT_EQ(model.colors.size(), hasColors ? 3U : 0U) << minor << " " << int(format);
+        const std::vector<Color> colors = { { 1, 20, 255 }, { 2, 20, 255 }, { 3, 20, 255 } };
+        EXPECT_EQ(model.colors, hasColors ? colors : std::vector<Color>{})
+          << minor << " " << int(format);
         EXPECT_TRUE(model.triangles.empty());
         EXPECT_TRUE(model.normals.empty());
         EXPECT_EQ(model.millimetresPerUnit, 0.0);
@@ -219,7 +221,9 @@ TEST(Las, SurvivesBadVariableLengthRecords)
   {
     EXPECT_EQ(parse(changed(bytes, 100, count)).points, kPoints) << count;
   }
-  EXPECT_EQ(parse(changed(bytes, 227 + 20, std::uint16_t(65535))).points, kPoints);
+  const Model model = parse(changed(bytes, 227 + 20, std::uint16_t(65535)));
+  EXPECT_EQ(model.points, kPoints);
+  EXPECT_EQ(model.millimetresPerUnit, 0.0);
 }
 
 TEST(Las, RefusesCompressedFilesAndSaysWhatToDo)

@@ -113,6 +113,11 @@ TEST(Off, ReadsColorsOfEitherRange)
   EXPECT_EQ(parse("COFF\n2 0 0\n0 0 0 1 0 0 1\n1 1 1 0.0 0.5 1.0 1\n").colors, expected);
 }
 
+TEST(Off, TakesDarkColorsOfIntegersForWhatTheyAre)
+{
+  EXPECT_EQ(parse("COFF\n1 0 0\n0 0 0 2 1 0\n").colors, (std::vector<Color>{ { 2, 1, 0 } }));
+}
+
 TEST(Off, ReadsNormalsAtLengthOne)
 {
   const Model model = parse("NOFF\n3 0 0\n0 0 0 0 0 2\n1 0 0 0 0 0\n1 1 1 nan 0 0\n");
