@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "pipeline/file_head.h"
+#include "pipeline/unread_formats.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -28,6 +29,13 @@ bool hasExtension(const Format& format, const std::string& extension)
   return std::ranges::find(format.extensions, extension) != format.extensions.end();
 }
 
+std::vector<std::string> writeExtensionsOf(const Format& format)
+{
+  return format.makeWriter == nullptr ? std::vector<std::string>()
+    : format.writeExtensions.empty()  ? format.extensions
+                                      : format.writeExtensions;
+}
+
 const Format* readableByExtension(const std::string& extension)
 {
   const auto found = std::ranges::find_if(formats(),
@@ -36,19 +44,13 @@ const Format* readableByExtension(const std::string& extension)
   return found != formats().end() ? &*found : nullptr;
 }
 
-template <class Predicate>
-std::string extensionsOf(Predicate isWanted)
+std::string listOf(const std::vector<std::string>& extensions)
 {
   std::string text;
-  for (const Format& format : formats())
+  for (const std::string& extension : extensions)
   {
-    if (isWanted(format))
-    {
-      for (const std::string& extension : format.extensions)
-      {
-        text += (text.empty() ? "" : ", ") + extension;
-      }
-    }
+    text += text.empty() ? "" : ", ";
+    text += extension;
   }
   return text;
 }
@@ -62,6 +64,11 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
   if (head.empty())
   {
     throw Error(ErrorCode::parse, name + ": the file is empty; give a file with points");
+  }
+  const std::string advice = adviceOnUnread(head);
+  if (!advice.empty())
+  {
+    throw Error(ErrorCode::parse, name + ": " + advice);
   }
   const std::string extension = extensionOf(path);
   const Format* found = nullptr;
@@ -91,7 +98,10 @@ const Format* findFormatToWrite(const std::string& path)
   const std::string extension = path == "-" ? "ply" : extensionOf(path);
   const auto found = std::ranges::find_if(formats(),
     [&](const Format& format)
-    { return format.makeWriter != nullptr && hasExtension(format, extension); });
+    {
+      const std::vector<std::string> own = writeExtensionsOf(format);
+      return std::ranges::find(own, extension) != own.end();
+    });
   return found != formats().end() ? &*found : nullptr;
 }
 
@@ -108,12 +118,29 @@ const Format& formatToWrite(const std::string& path)
 
 std::string readableExtensions()
 {
-  return extensionsOf([](const Format& format) { return format.makeReader != nullptr; });
+  std::vector<std::string> all;
+  for (const Format& format : formats())
+  {
+    for (const std::string& extension : format.extensions)
+    {
+      if (format.makeReader != nullptr && std::ranges::find(all, extension) == all.end())
+      {
+        all.push_back(extension);
+      }
+    }
+  }
+  return listOf(all);
 }
 
 std::string writableExtensions()
 {
-  return extensionsOf([](const Format& format) { return format.makeWriter != nullptr; });
+  std::vector<std::string> all;
+  for (const Format& format : formats())
+  {
+    const std::vector<std::string> own = writeExtensionsOf(format);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return listOf(all);
 }
 
 std::string formatTable()
@@ -137,15 +164,10 @@ std::string formatTable()
     {
       continue;
     }
-    std::string names;
-    for (const std::string& extension : format.extensions)
-    {
-      names += (names.empty() ? "." : ", .") + extension;
-    }
     const std::string& unit = format.reads.unit.empty() ? format.writes.unit : format.reads.unit;
     const std::string& limits =
       format.writes.limits.empty() ? format.reads.limits : format.writes.limits;
-    text += "| " + format.name + " | " + names + " | " +
+    text += "| " + format.name + " | " + listOf(format.extensions) + " | " +
       cell(format.makeReader != nullptr, format.reads) + " | " +
       cell(format.makeWriter != nullptr, format.writes) + " | " + unit + " | " + limits + " |\n";
   }

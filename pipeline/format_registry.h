@@ -40,8 +40,9 @@ struct Abilities
 struct Format
 {
   std::string name;
-  std::vector<std::string> extensions; ///< lower case, without the dot
-  bool isPicture = false;              ///< written from a vtkImageData, else from a vtkPolyData
+  std::vector<std::string> extensions;           ///< lower case, without the dot
+  std::vector<std::string> writeExtensions = {}; ///< of these the ones to write; empty: all
+  bool isPicture = false; ///< written from a vtkImageData, else from a vtkPolyData
   Abilities reads = {};
   Abilities writes = {};
   std::vector<Parameter> writeParameters = {};
@@ -64,7 +65,8 @@ const std::vector<Format>& formats();
 /// content allows, and names the parser that has to say what is wrong when it allows none. Standard
 /// input, "-", is read to its end and stays readable.
 /// @throws Error{io} for a file that is missing, a directory or unreadable; Error{parse} for an
-///   empty file and for unknown content; Cancelled while waiting for standard input
+///   empty file, for known formats that are not read and for unknown content; Cancelled while
+///   waiting for standard input
 const Format& formatToRead(const std::string& path, const CancelToken& token);
 
 /// The same as formatToWrite(), or null.

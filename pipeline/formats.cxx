@@ -5,8 +5,11 @@
 #include "readers/autodesk_3ds.h"
 #include "readers/cyberware_header.h"
 #include "readers/digibotics.h"
+#include "readers/gltf.h"
+#include "readers/las.h"
 #include "readers/obj.h"
 #include "readers/off.h"
+#include "readers/pcd.h"
 #include "readers/ply.h"
 #include "readers/points_text.h"
 #include "readers/pts.h"
@@ -15,8 +18,11 @@
 #include "readers/vtkScanAutodesk3dsReader.h"
 #include "readers/vtkScanCyberwareReader.h"
 #include "readers/vtkScanDigiboticsReader.h"
+#include "readers/vtkScanGltfReader.h"
+#include "readers/vtkScanLasReader.h"
 #include "readers/vtkScanObjReader.h"
 #include "readers/vtkScanOffReader.h"
+#include "readers/vtkScanPcdReader.h"
 #include "readers/vtkScanPlyReader.h"
 #include "readers/vtkScanPointsReader.h"
 #include "readers/vtkScanPtsReader.h"
@@ -25,6 +31,7 @@
 #include "writers/vtkScanAutodesk3dsWriter.h"
 #include "writers/vtkScanDxfWriter.h"
 #include "writers/vtkScanGlbWriter.h"
+#include "writers/vtkScanIgesWriter.h"
 #include "writers/vtkScanInventorWriter.h"
 #include "writers/vtkScanObjWriter.h"
 #include "writers/vtkScanOffWriter.h"
@@ -84,6 +91,16 @@ template <>
 void configure(vtkScanDxfWriter& writer, const ParameterValues& values)
 {
   writer.SetFaces(isChosen(values, "faces", "polyface") ? DxfFaces::polyface : DxfFaces::face3d);
+}
+
+template <>
+void configure(vtkScanIgesWriter& writer, const ParameterValues& values)
+{
+  writer.SetEntities(isChosen(values, "entities", "solid") ? IgesEntities::solid
+      : isChosen(values, "entities", "nurbs")              ? IgesEntities::nurbs
+      : isChosen(values, "entities", "wireframe")          ? IgesEntities::wireframe
+      : isChosen(values, "entities", "points")             ? IgesEntities::points
+                                                           : IgesEntities::faces);
 }
 
 template <>
@@ -173,15 +190,48 @@ const std::vector<Format>& formats()
         .help = "VRML97, also named 2.0, or the older 1.0",
         .choices = { "97", "1.0" } } },
       .makeWriter = makeWriter<vtkScanVrmlWriter> },
-    { .name = "glTF, binary",
-      .extensions = { "glb" },
+    { .name = "IGES",
+      .extensions = { "igs", "iges" },
+      .writes = { .points = true,
+        .triangles = true,
+        .unit = "in the file",
+        .limits = "1.4 million triangles, 600,000 as a solid" },
+      .writeParameters = { { .name = "entities",
+        .defaultValue = "faces",
+        .help = "planes one by one, one solid of a closed surface, patches, polylines, points",
+        .choices = { "faces", "solid", "nurbs", "wireframe", "points" } } },
+      .makeWriter = makeWriter<vtkScanIgesWriter> },
+    { .name = "glTF",
+      .extensions = { "glb", "gltf" },
+      .writeExtensions = { "glb" },
+      .reads = { .points = true,
+        .triangles = true,
+        .colors = true,
+        .normals = true,
+        .unit = "metre",
+        .limits = "buffers in the file only" },
       .writes = { .points = true,
         .triangles = true,
         .colors = true,
         .normals = true,
         .unit = "metre",
-        .limits = "7 digits around the centre; 4 GB" },
+        .limits = "written as glb: 7 digits around the centre, 4 GB; buffers in the file" },
+      .looksLike = looksLikeGltf,
+      .makeReader = makeReader<vtkScanGltfReader>,
       .makeWriter = makeWriter<vtkScanGlbWriter> },
+    { .name = "LAS",
+      .extensions = { "las" },
+      .reads = { .points = true,
+        .colors = true,
+        .unit = "in the file",
+        .limits = "not compressed" },
+      .looksLike = looksLikeLas,
+      .makeReader = makeReader<vtkScanLasReader> },
+    { .name = "PCD",
+      .extensions = { "pcd" },
+      .reads = { .points = true, .colors = true, .normals = true },
+      .looksLike = looksLikePcd,
+      .makeReader = makeReader<vtkScanPcdReader> },
     { .name = "Cyberware range map",
       .extensions = { "cy", "echo" },
       .reads = { .points = true,
@@ -208,6 +258,7 @@ const std::vector<Format>& formats()
       .makeReader = makeReader<vtkScanDigiboticsReader> },
     { .name = "points as text",
       .extensions = { "xyz", "txt", "asc", "pts", "csv" },
+      .writeExtensions = { "xyz", "txt", "asc" },
       .reads = { .points = true },
       .writes = { .points = true, .colors = true, .normals = true },
       .looksLike = looksLikePointsText,

@@ -130,35 +130,10 @@ bool hasDecimalCommas(const char* line, const char* end)
       "; correct or remove the line");
 }
 
-/// Text formats whose first lines of numbers are no points.
-void refuseOtherFormats(const Source& source, const char* first)
-{
-  const std::string_view start = word(first, source.end());
-  static constexpr std::string_view kOffKeywords[] = { "OFF", "COFF", "NOFF", "CNOFF", "STOFF",
-    "4OFF", "nOFF" };
-  if (std::find(std::begin(kOffKeywords), std::end(kOffKeywords), start) != std::end(kOffKeywords))
-  {
-    source.fail("this is an OFF mesh, a format that is not read; convert it to PLY, OBJ or STL");
-  }
-  const char* at = first;
-  Vec3 ignored;
-  int counts = 0;
-  while (at != source.end() && readLine(at, source.end(), ignored) == LineKind::count)
-  {
-    at = nextLine(at, source.end());
-    ++counts;
-  }
-  if (counts == 2) // columns and rows, then the place of the scanner
-  {
-    source.fail("this looks like a PTX scan, a format that is not read; export it as PTS or XYZ");
-  }
-}
-
 /// The start of the first line that is a point.
 const char* skipHeader(const Source& source)
 {
   const char* line = skipByteOrderMark(source);
-  refuseOtherFormats(source, line);
   while (line != source.end())
   {
     const char* at = line;

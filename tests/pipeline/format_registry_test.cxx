@@ -76,8 +76,9 @@ TEST(FormatRegistry, WritesByExtensionOfAnyCase)
   EXPECT_EQ(formatToWrite("out.stl").name, "STL");
   EXPECT_EQ(formatToWrite("a.b/out.PLY").name, "PLY");
   EXPECT_EQ(formatToWrite("-").name, "PLY");
+  EXPECT_EQ(formatToWrite("out.xyz").name, "points as text");
   EXPECT_TRUE(formatToWrite("out.png").isPicture);
-  for (const char* path : { "out", "out.", "out.foo", "out.xyz", ".stl", "stl" })
+  for (const char* path : { "out", "out.", "out.foo", "out.csv", "out.las", ".stl", "stl" })
   {
     EXPECT_THROW(formatToWrite(path), Error) << path;
   }
