@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/threemf.h"
+
+#include "filters/base/error.h"
+#include "tests/writers/assimp.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using scan::Model;
+using scan::test::torus;
+
+std::string bytesOf(const Model& model, unsigned threads = 1)
+{
+  return scan::test::bytesOfModel(scan::writeThreemf, model, threads);
+}
+
+std::string errorOf(const Model& model)
+{
+  try
+  {
+    bytesOf(model);
+  }
+  catch (const scan::Error& error)
+  {
+    return error.code() == scan::ErrorCode::badInput ? error.what() : "another code";
+  }
+  return {};
+}
+
+/// The part with the model, by the program unzip; empty without it.
+std::string modelPartOf(const Model& model)
+{
+  const scan::test::TemporaryFolder folder;
+  scan::test::setContent(folder.file("m.3mf"), bytesOf(model));
+  const std::string command = "unzip -tq " + folder.file("m.3mf") +
+    " >/dev/null 2>&1 && unzip -p " + folder.file("m.3mf") + " 3D/3dmodel.model >" +
+    folder.file("xml");
+  return std::system(command.c_str()) == 0 ? scan::test::contentOf(folder.file("xml")) : "";
+}
+
+Model triangle()
+{
+  Model model;
+  model.points = { { 0, 0, 0 }, { 1.5, -1e-7, 0 }, { 0.1, 1e50, 3 } };
+  model.triangles = { { 0, 1, 2 } };
+  return model;
+}
+
+void expectSameInAssimp(const Model& model)
+{
+  const scan::test::TemporaryFolder folder;
+  scan::test::setContent(folder.file("model.3mf"), bytesOf(model));
+  const scan::TriMesh read = scan::test::readWithAssimp(folder, folder.file("model.3mf"));
+  ASSERT_EQ(read.points.size(), model.points.size());
+  ASSERT_EQ(read.triangles.size(), model.triangles.size());
+  EXPECT_NEAR(scan::test::volumeOf(read), scan::test::volumeOf(model), 0.1);
+}
+
+} // namespace
+
+TEST(Threemf, HasThisModelPart)
+{
+  if (std::system("unzip -v >/dev/null 2>&1") != 0)
+  {
+    GTEST_SKIP() << "the program unzip is missing";
+  }
+  const std::string head =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\""
+    " xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+    "<metadata name=\"Application\">Scanwrap</metadata>\n"
+    "<resources>\n<object id=\"1\" type=\"model\">\n<mesh>\n<vertices>\n"
+    "<vertex x=\"0\" y=\"0\" z=\"0\"/>\n"
+    "<vertex x=\"1.5\" y=\"-1e-07\" z=\"0\"/>\n"
+    "<vertex x=\"0.1\" y=\"1e+50\" z=\"3\"/>\n"
+    "</vertices>\n<triangles>\n<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>\n"
+    "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n";
+  EXPECT_EQ(modelPartOf(triangle()), head + "<item objectid=\"1\"/>\n</build>\n</model>\n");
+  Model inches = triangle();
+  inches.millimetresPerUnit = 25.4;
+  EXPECT_NE(modelPartOf(inches).find("unit=\"inch\""), std::string::npos);
+  Model miles = triangle();
+  miles.millimetresPerUnit = 1609344.0;
+  EXPECT_EQ(modelPartOf(miles),
+    head +
+      "<item objectid=\"1\" transform=\"1609344 0 0 0 1609344 0 0 0 1609344 0 0 0\"/>\n"
+      "</build>\n</model>\n");
+}
+
+TEST(Threemf, KeepsModelsInAssimp)
+{
+  if (!scan::test::hasAssimp())
+  {
+    GTEST_SKIP() << "the program assimp is missing";
+  }
+  expectSameInAssimp(torus(100, {}));
+  Model open = torus(20, { 100, 200, 300 });
+  open.triangles.resize(open.triangles.size() - 7);
+  expectSameInAssimp(open);
+  Model winged = torus(10, {}); // an edge with three triangles
+  winged.points.push_back({ 0, 0, 100 });
+  winged.triangles.push_back({ 0, 1, 100 });
+  expectSameInAssimp(winged);
+}
+
+TEST(Threemf, HasTheSameBytesOnAnyNumberOfThreads)
+{
+  const Model model = torus(250, {});
+  const std::string bytes = bytesOf(model, 1);
+  EXPECT_EQ(bytesOf(model, 4), bytes);
+  EXPECT_TRUE(bytes.starts_with("PK\3\4"));
+}
+
+TEST(Threemf, RefusesWhatItCannotHold)
+{
+  EXPECT_NE(errorOf({}).find("no triangles to write; 3MF holds surfaces"), std::string::npos);
+  Model model = triangle();
+  model.triangles.push_back({ 2, 1, 2 });
+  EXPECT_NE(
+    errorOf(model).find("triangle 1, counted from 0, uses a point twice"), std::string::npos);
+}
+
+TEST(Threemf, StopsWhenCancelled)
+{
+  scan::CancelToken token;
+  token.cancel();
+  scan::Execution execution(1, token);
+  const scan::test::TemporaryFolder folder;
+  scan::OutputFile file(folder.file("x.3mf"));
+  EXPECT_THROW(scan::writeThreemf(torus(5, {}), file, execution), scan::Cancelled);
+}

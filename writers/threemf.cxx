@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/threemf.h"
+
+#include "filters/base/error.h"
+#include "writers/zip_writer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::size_t kPerBlock = 1U << 13U; // elements
+constexpr std::size_t kLongest = 128;        // characters of an element
+
+constexpr std::string_view kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+
+constexpr std::string_view kContentTypes =
+  "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
+  "<Default Extension=\"rels\""
+  " ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+  "<Default Extension=\"model\""
+  " ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
+  "</Types>\n";
+
+constexpr std::string_view kRelationships =
+  "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+  "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\""
+  " Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
+  "</Relationships>\n";
+
+/// The name of a unit, and the number of them in a unit of the model.
+std::pair<std::string_view, double> unitOf(double millimetres)
+{
+  static constexpr std::pair<std::string_view, double> kUnits[] = { { "micron", 0.001 },
+    { "millimeter", 1.0 }, { "centimeter", 10.0 }, { "inch", 25.4 }, { "foot", 304.8 },
+    { "meter", 1000.0 } };
+  for (const auto& [name, size] : kUnits)
+  {
+    if (size == millimetres)
+    {
+      return { name, 1.0 };
+    }
+  }
+  return { "millimeter", millimetres > 0.0 ? millimetres : 1.0 };
+}
+
+/// Adds name="value"; the text has room.
+template <class Number>
+void appendAttribute(std::string& text, std::string_view name, Number value)
+{
+  char digits[32];
+  char* const end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
+  text.append(name).append("\"").append(&digits[0], end).append("\"");
+}
+
+void appendVertex(std::string& text, const Vec3& point)
+{
+  appendAttribute(text, "<vertex x=", point.x);
+  appendAttribute(text, " y=", point.y);
+  appendAttribute(text, " z=", point.z);
+  text.append("/>\n");
+}
+
+void appendTriangle(std::string& text, const Triangle& triangle)
+{
+  appendAttribute(text, "<triangle v1=", triangle[0]);
+  appendAttribute(text, " v2=", triangle[1]);
+  appendAttribute(text, " v3=", triangle[2]);
+  text.append("/>\n");
+}
+
+/// Writes the part with the model.
+class ModelPart
+{
+public:
+  ModelPart(const Model& model, ZipWriter& zip, Execution& execution)
+    : Source(model)
+    , Zip(zip)
+    , Run(execution)
+    , Total(model.points.size() + model.triangles.size())
+  {
+    const std::size_t count = std::max<std::size_t>(4 * execution.threads(), 4);
+    this->Blocks.resize(count);
+    for (ZipBlock& block : this->Blocks) // the threads must not throw
+    {
+      block.text.reserve(kPerBlock * kLongest);
+      block.bytes.reserve(ZipBlock::bound(kPerBlock * kLongest));
+    }
+  }
+
+  void write()
+  {
+    const auto [unit, scale] = unitOf(this->Source.millimetresPerUnit);
+    this->Zip.begin("3D/3dmodel.model");
+    this->append(std::string(kXml) + "<model unit=\"" + std::string(unit) +
+      "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+      "<metadata name=\"Application\">Scanwrap</metadata>\n"
+      "<resources>\n<object id=\"1\" type=\"model\">\n<mesh>\n<vertices>\n");
+    this->appendAll(this->Source.points.size(),
+      [&](std::string& text, std::size_t i) { appendVertex(text, this->Source.points[i]); });
+    this->append("</vertices>\n<triangles>\n");
+    this->appendAll(this->Source.triangles.size(),
+      [&](std::string& text, std::size_t i) { appendTriangle(text, this->Source.triangles[i]); });
+    std::string item = "<item objectid=\"1\"";
+    if (scale != 1.0)
+    {
+      char digits[32];
+      const std::string number(digits, std::to_chars(digits, digits + sizeof(digits), scale).ptr);
+      item.append(" transform=\"").append(number).append(" 0 0 0 ").append(number);
+      item.append(" 0 0 0 ").append(number).append(" 0 0 0\"");
+    }
+    this->append("</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n" + item +
+      "/>\n</build>\n</model>\n");
+    this->Zip.end();
+  }
+
+private:
+  void append(const std::string& text)
+  {
+    ZipBlock& block = this->Blocks.front();
+    block.text = text;
+    block.deflate();
+    this->Zip.append(block);
+  }
+
+  /// Appends `count` elements, in blocks of a fixed number of elements whatever the threads.
+  template <class Put>
+  void appendAll(std::size_t count, const Put& put)
+  {
+    const std::size_t batch = kPerBlock * this->Blocks.size();
+    for (std::size_t start = 0; start < count; start += batch)
+    {
+      this->Run.step("write", this->Done, this->Total);
+      const std::size_t size = std::min(batch, count - start);
+      const std::size_t blocks = (size + kPerBlock - 1) / kPerBlock;
+      this->Run.parallelFor(blocks, 1,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t b = begin; b < end; ++b)
+          {
+            ZipBlock& block = this->Blocks[b];
+            block.text.clear();
+            const std::size_t last = std::min(start + (b + 1) * kPerBlock, start + size);
+            for (std::size_t i = start + b * kPerBlock; i < last; ++i)
+            {
+              put(block.text, i);
+            }
+            block.deflate();
+          }
+        });
+      for (std::size_t b = 0; b < blocks; ++b)
+      {
+        this->Zip.append(this->Blocks[b]);
+      }
+      this->Done += size;
+    }
+  }
+
+  const Model& Source;
+  ZipWriter& Zip;
+  Execution& Run;
+  std::vector<ZipBlock> Blocks;
+  std::size_t Total;
+  std::size_t Done = 0;
+};
+
+void check(const Model& model, const OutputFile& file)
+{
+  if (model.triangles.empty())
+  {
+    throw Error(ErrorCode::badInput,
+      file.name() + ": no triangles to write; 3MF holds surfaces, write points as PLY or OBJ");
+  }
+  const auto bad = std::find_if(model.triangles.begin(), model.triangles.end(),
+    [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  if (bad != model.triangles.end())
+  {
+    throw Error(ErrorCode::badInput,
+      file.name() + ": triangle " + std::to_string(bad - model.triangles.begin()) +
+        ", counted from 0, uses a point twice, which 3MF forbids; remove such triangles");
+  }
+}
+
+} // namespace
+
+void writeThreemf(const Model& model, OutputFile& file, Execution& execution)
+{
+  check(model, file);
+  ZipWriter zip(file);
+  zip.add("[Content_Types].xml", std::string(kXml).append(kContentTypes));
+  zip.add("_rels/.rels", std::string(kXml).append(kRelationships));
+  ModelPart(model, zip, execution).write();
+  zip.finish();
+}
+
+} // namespace scan
