@@ -3,6 +3,7 @@
 #include "writers/threemf.h"
 
 #include "filters/base/error.h"
+#include "readers/threemf.h"
 #include "tests/writers/assimp.h"
 
 #include <gtest/gtest.h>
@@ -104,6 +105,17 @@ TEST(Threemf, KeepsModelsInAssimp)
   winged.points.push_back({ 0, 0, 100 });
   winged.triangles.push_back({ 0, 1, 100 });
   expectSameInAssimp(winged);
+}
+
+TEST(Threemf, ComesBackFromTheReader)
+{
+  Model model = torus(300, { 665187.522077, -5648349.895035, 12345678.9 });
+  model.points.push_back({ 1e50, -1e-300, -0.0 });
+  model.millimetresPerUnit = 1000.0;
+  const Model read = scan::test::parse(scan::parseThreemf, bytesOf(model));
+  EXPECT_EQ(read.points, model.points);
+  EXPECT_EQ(read.triangles, model.triangles);
+  EXPECT_EQ(read.millimetresPerUnit, 1000.0);
 }
 
 TEST(Threemf, HasTheSameBytesOnAnyNumberOfThreads)
