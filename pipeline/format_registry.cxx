@@ -72,10 +72,12 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
   }
   const std::string extension = extensionOf(path);
   const Format* found = nullptr;
+  const auto rank = [&](const Format& format)
+  { return (format.isVague ? 0 : 2) + (hasExtension(format, extension) ? 1 : 0); };
   for (const Format& format : formats())
   {
     if (format.looksLike != nullptr && format.looksLike(head) &&
-      (found == nullptr || (hasExtension(format, extension) && !hasExtension(*found, extension))))
+      (found == nullptr || rank(format) > rank(*found)))
     {
       found = &format;
     }

@@ -48,6 +48,7 @@ struct Format
   std::vector<Parameter> writeParameters = {};
 
   bool (*looksLike)(std::span<const char> head) = nullptr; ///< null where reading is not possible
+  bool isVague = false; ///< other formats may look like this one, too: they come first
 
   /// A fresh reader; null where reading is not possible. The path "-" is standard input.
   vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& path, ReadAs as) = nullptr;
@@ -61,9 +62,9 @@ struct Format
 /// Every format, the ones with the surest content check first.
 const std::vector<Format>& formats();
 
-/// The format of a file to read. Content decides; the extension decides between formats that the
-/// content allows, and names the parser that has to say what is wrong when it allows none. Standard
-/// input, "-", is read to its end and stays readable.
+/// The format of a file to read. Content decides; the extension decides between formats of equal
+/// rank that the content allows, and names the parser that has to say what is wrong when it allows
+/// none. Standard input, "-", is read to its end and stays readable.
 /// @throws Error{io} for a file that is missing, a directory or unreadable; Error{parse} for an
 ///   empty file, for known formats that are not read and for unknown content; Cancelled while
 ///   waiting for standard input

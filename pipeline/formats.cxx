@@ -15,6 +15,7 @@
 #include "readers/pts.h"
 #include "readers/ptx.h"
 #include "readers/stl.h"
+#include "readers/threemf.h"
 #include "readers/vtkScanAutodesk3dsReader.h"
 #include "readers/vtkScanCyberwareReader.h"
 #include "readers/vtkScanDigiboticsReader.h"
@@ -28,6 +29,7 @@
 #include "readers/vtkScanPtsReader.h"
 #include "readers/vtkScanPtxReader.h"
 #include "readers/vtkScanStlReader.h"
+#include "readers/vtkScanThreemfReader.h"
 #include "writers/vtkScanAutodesk3dsWriter.h"
 #include "writers/vtkScanDxfWriter.h"
 #include "writers/vtkScanGlbWriter.h"
@@ -38,6 +40,7 @@
 #include "writers/vtkScanPlyWriter.h"
 #include "writers/vtkScanPngWriter.h"
 #include "writers/vtkScanStlWriter.h"
+#include "writers/vtkScanThreemfWriter.h"
 #include "writers/vtkScanVrmlWriter.h"
 #include "writers/vtkScanXyzWriter.h"
 
@@ -219,6 +222,13 @@ const std::vector<Format>& formats()
       .looksLike = looksLikeGltf,
       .makeReader = makeReader<vtkScanGltfReader>,
       .makeWriter = makeWriter<vtkScanGlbWriter> },
+    { .name = "3MF",
+      .extensions = { "3mf" },
+      .reads = { .triangles = true, .unit = "in the file" },
+      .writes = { .triangles = true, .unit = "in the file" },
+      .looksLike = looksLikeThreemf,
+      .makeReader = makeReader<vtkScanThreemfReader>,
+      .makeWriter = makeWriter<vtkScanThreemfWriter> },
     { .name = "LAS",
       .extensions = { "las" },
       .reads = { .points = true,
@@ -255,6 +265,7 @@ const std::vector<Format>& formats()
       .extensions = { "dbt", "dig" },
       .reads = { .points = true, .unit = "in the file", .limits = "text; not verified" },
       .looksLike = looksLikeDigibotics,
+      .isVague = true,
       .makeReader = makeReader<vtkScanDigiboticsReader> },
     { .name = "points as text",
       .extensions = { "xyz", "txt", "asc", "pts", "csv" },
@@ -262,6 +273,7 @@ const std::vector<Format>& formats()
       .reads = { .points = true },
       .writes = { .points = true, .colors = true, .normals = true },
       .looksLike = looksLikePointsText,
+      .isVague = true,
       .makeReader = makeReader<vtkScanPointsReader>,
       .makeWriter = makeWriter<vtkScanXyzWriter> },
     { .name = "PNG picture",

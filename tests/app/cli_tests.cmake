@@ -103,7 +103,7 @@ scan_cli_test(OffNamedXyz "printf 'OFF\\n4 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\
 scan_cli_test(OffThatLies "printf 'OFF\\n4 4 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 1 2\\n' > in.off; scanwrap in.off info" EXIT 2 ERR "in.off: .*face")
 scan_cli_test(PtxNamedPts "printf '2\\n2\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n1 0 0 0\\n0 1 0 0\\n0 0 1 0\\n0 0 0 1\\n1 2 3 0.5\\n' > in.pts; scanwrap in.pts info" EXIT 2 ERR "in.pts: .*cell")
 scan_cli_test(GzipIsNotRead "gzip -c $DATA/helix.xyz > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: is compressed with gzip; unpack it first")
-scan_cli_test(DxfIsNotRead "scanwrap $DATA/helix.xyz -o out.dxf; scanwrap out.dxf info" EXIT 2 ERR "out.dxf: is a DXF drawing")
+scan_cli_test(DxfIsNotRead "scanwrap $DATA/helix.xyz -o out.dxf; scanwrap out.dxf info" FILES out.dxf EXIT 2 ERR "out.dxf: is a DXF drawing")
 scan_cli_test(Utf16 "iconv -f ascii -t utf-16 $DATA/helix.xyz > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: .*UTF-16")
 scan_cli_test(ClosedStdin "scanwrap - wrap -o out.stl <&-" EXIT 2 ERR "standard input: cannot be read")
 scan_cli_test(EmptyFile "touch in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz.*empty")
