@@ -3,10 +3,11 @@
 #include "readers/obj.h"
 
 #include "filters/base/error.h"
+#include "readers/color_channels.h"
 #include "readers/coordinate_check.h"
+#include "readers/point_attributes.h"
 #include "readers/text_scanner.h"
 
-#include <array>
 #include <charconv>
 #include <string>
 #include <system_error>
@@ -48,7 +49,7 @@ const char* nextStatement(const char* at, const char* end)
   return at;
 }
 
-/// Reads the lines of an OBJ file into a mesh.
+/// Reads the lines of an OBJ file into a model.
 class ObjReader
 {
 public:
@@ -58,7 +59,7 @@ public:
   {
   }
 
-  TriMesh read()
+  Model read()
   {
     const char* const end = this->Text.end();
     const char* reported = this->Text.begin();
@@ -80,9 +81,15 @@ public:
       {
         at = this->readFace(at + 1);
       }
+      else if (hasMore && *at == 'v' && at[1] == 'n' && this->HasPointNormals)
+      {
+        at = this->readNormal(at + 2);
+      }
       at = at != end && *at == '\n' ? at + 1 : this->endStatement(at);
     }
     this->finish();
+    this->finishNormals();
+    this->Mesh.colors = this->Colors.take(this->Mesh.points.size());
     return std::move(this->Mesh);
   }
 
@@ -94,21 +101,55 @@ private:
 
   const char* readVertex(const char* at)
   {
-    const char* const end = this->Text.end();
     const char* const line = at;
-    std::array<double, 3> point = {};
-    for (double& coordinate : point)
+    Vec3 point;
+    const char* const stop = this->readThree(at, point);
+    if (stop == nullptr)
+    {
+      this->Text.failAtLine(
+        at, "expected three coordinates, found " + quoted(word(at, this->Text.end())));
+    }
+    this->Mesh.points.push_back(point);
+    this->Check.see(point, line);
+    return stop == this->Text.end() || isLineEnd(*stop) ? stop : this->readColor(stop);
+  }
+
+  /// The colour of the last vertex; a weight or a comment may stand there, too.
+  const char* readColor(const char* at)
+  {
+    Vec3 color;
+    const char* const stop = this->readThree(at, color);
+    if (stop != nullptr)
+    {
+      this->Colors.skipTo(this->Mesh.points.size() - 1);
+      this->Colors.add(color.x, color.y, color.z);
+    }
+    return stop != nullptr ? stop : at;
+  }
+
+  const char* readNormal(const char* at)
+  {
+    Vec3 normal;
+    const char* const stop = this->readThree(at, normal);
+    this->HasPointNormals = stop != nullptr;
+    this->Mesh.normals.push_back(unitOrZero(normal));
+    return stop != nullptr ? stop : at;
+  }
+
+  /// @return behind the numbers; nullptr, with `at` at the word that is no number
+  const char* readThree(const char*& at, Vec3& values) const
+  {
+    const char* const end = this->Text.end();
+    for (double* const value : { &values.x, &values.y, &values.z })
     {
       at = skipGap(at, end);
-      const char* const stop = parseNumber(at, end, coordinate);
-      if (stop == nullptr || !isWordEnd(stop))
+      const char* const stop = parseNumber(at, end, *value);
+      if (stop == nullptr || !this->isWordEnd(stop))
       {
-        this->Text.failAtLine(at, "expected three coordinates, found " + quoted(word(at, end)));
+        return nullptr;
       }
       at = stop;
     }
-    this->Mesh.points.push_back({ point[0], point[1], point[2] });
-    this->Check.see(this->Mesh.points.back(), line);
     return at;
   }
 
@@ -151,6 +192,7 @@ private:
       this->Text.failAtLine(start, "expected a corner of a face, found " + quoted(word(at, end)));
     }
     at = stop;
+    const std::string_view rest(result.ptr, static_cast<std::size_t>(stop - result.ptr));
     const auto known = static_cast<std::int64_t>(this->Mesh.points.size());
     const std::int64_t index = number < 0 ? known + number : number - 1;
     if (number == 0 || index < 0 || index >= static_cast<std::int64_t>(kNone))
@@ -162,7 +204,25 @@ private:
       this->Furthest = index;
       this->FurthestAt = start;
     }
+    if (this->HasPointNormals)
+    {
+      this->HasPointNormals = this->normalOf(rest) == index;
+      this->Corners = std::max(this->Corners, static_cast<std::size_t>(index) + 1);
+    }
     return static_cast<Index>(index);
+  }
+
+  /// The index of the normal of a corner, of which `rest` follows the vertex; -1 without one.
+  std::int64_t normalOf(std::string_view rest) const
+  {
+    const std::size_t slash = rest.find('/', 1);
+    std::int64_t number = 0;
+    if (slash != rest.npos)
+    {
+      std::from_chars(rest.data() + slash + 1, rest.data() + rest.size(), number);
+    }
+    const auto known = static_cast<std::int64_t>(this->Mesh.normals.size());
+    return number < 0 ? known + number : number - 1;
   }
 
   bool isWordEnd(const char* at) const
@@ -196,17 +256,30 @@ private:
     this->Check.finish(this->Text, count, CoordinateCheck::Place::line);
   }
 
+  /// Normals are kept when they are those of the points: of each corner, or of each point of a
+  /// scan.
+  void finishNormals()
+  {
+    const std::size_t count = this->Mesh.points.size();
+    const std::size_t normals = this->Mesh.normals.size();
+    const bool isComplete = this->Corners > 0 ? normals >= this->Corners : normals == count;
+    this->Mesh.normals.resize(this->HasPointNormals && isComplete && normals > 0 ? count : 0);
+  }
+
   const Source& Text;
   Execution& Run;
-  TriMesh Mesh;
+  Model Mesh;
+  ColorChannels Colors;
   CoordinateCheck Check;
-  std::int64_t Furthest = -1; // the largest index ahead of its vertex
+  bool HasPointNormals = true; // as far as known, normals and vertices have the same indices
+  std::size_t Corners = 0;     // vertices up to the last one of a corner
+  std::int64_t Furthest = -1;  // the largest index ahead of its vertex
   const char* FurthestAt = nullptr;
 };
 
 } // namespace
 
-TriMesh parseObj(std::span<const char> bytes, std::string_view name, Execution& execution)
+Model parseObj(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
   const Source source{ name, bytes };
   return ObjReader(source, execution).read();

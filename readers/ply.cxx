@@ -6,9 +6,7 @@
 #include "readers/coordinate_check.h"
 #include "readers/ply_body.h"
 #include "readers/ply_header.h"
-
-#include <array>
-#include <optional>
+#include "readers/ply_vertices.h"
 
 namespace scan
 {
@@ -17,7 +15,7 @@ namespace
 
 constexpr std::uint64_t kStep = 1U << 16U;
 
-/// Fills a mesh from the values of a PLY file.
+/// Fills a model from the values of a PLY file.
 template <class Body>
 class PlyLoader
 {
@@ -32,7 +30,7 @@ public:
   {
   }
 
-  TriMesh load()
+  Model load()
   {
     for (const PlyElement& element : this->Header.elements)
     {
@@ -73,7 +71,8 @@ private:
   /// No storage is reserved for elements that cannot be in the file.
   void checkCount(const PlyElement& element) const
   {
-    if (!element.properties.empty() && element.count > this->Values.left(PlyType::uint8))
+    const std::size_t properties = element.properties.size();
+    if (properties > 0 && element.count > this->Values.left(PlyType::uint8) / properties)
     {
       this->Values.fail("the header announces " + std::to_string(element.count) + " of '" +
         element.name + "', more than the file can hold; it is truncated");
@@ -125,36 +124,28 @@ private:
 
   void loadVertices(const PlyElement& element)
   {
-    const std::array<std::size_t, 3> axes = { element.find("x"), element.find("y"),
-      element.find("z") };
-    for (const std::size_t axis : axes)
-    {
-      if (axis == element.properties.size() || element.properties[axis].isList)
-      {
-        this->Input.fail("the element 'vertex' lacks one of the properties x, y, z");
-      }
-    }
-    this->Mesh.points.reserve(this->Mesh.points.size() + element.count);
+    PlyVertices vertices(this->Input, element, this->Mesh);
+    PlyVertices::Values values = {};
     this->forEach(element,
       [&]
       {
         const char* const at = this->Values.position();
-        std::array<double, 3> point = {};
         for (std::size_t p = 0; p < element.properties.size(); ++p)
         {
-          const std::size_t axis = p == axes[0] ? 0 : p == axes[1] ? 1 : p == axes[2] ? 2 : 3;
-          if (axis < 3)
+          const std::size_t place = vertices.places()[p];
+          if (place != PlyVertices::ignored)
           {
-            point[axis] = this->Values.real(element.properties[p].type);
+            values[place] = this->Values.real(element.properties[p].type);
           }
           else
           {
             this->skip(element.properties[p]);
           }
         }
-        this->Mesh.points.push_back({ point[0], point[1], point[2] });
+        vertices.add(values);
         this->Check.see(this->Mesh.points.back(), at);
       });
+    vertices.finish();
   }
 
   void loadFaces(const PlyElement& element)
@@ -308,11 +299,11 @@ private:
   Execution& Run;
   Body Values;
   std::uint64_t VertexCount = 0;
-  TriMesh Mesh;
+  Model Mesh;
   CoordinateCheck Check;
 };
 
-TriMesh parse(
+Model parse(
   std::span<const char> bytes, std::string_view name, bool joinsRangeGrid, Execution& execution)
 {
   const Source source{ name, bytes };
@@ -334,12 +325,12 @@ TriMesh parse(
 
 } // namespace
 
-TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution)
+Model parsePly(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
   return parse(bytes, name, false, execution);
 }
 
-TriMesh parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Execution& execution)
+Model parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
   return parse(bytes, name, true, execution);
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 
 #include <span>
 #include <string_view>
@@ -15,13 +15,16 @@ namespace scan
 ///
 /// The element "vertex" needs the properties x, y and z of any type. Lists named vertex_indices or
 /// vertex_index give polygons in "face", which become fans, and strips in "tristrips", where -1
-/// starts a new strip. Faces of fewer than three corners are left out. Every other element and
-/// property is skipped, so the Stanford range scans load.
+/// starts a new strip. Faces of fewer than three corners are left out. Vertices have colours with
+/// red, green and blue, or diffuse_red and so on: integers of 0 to 255, or reals of 0 to 1 (to 255
+/// when any exceeds 1); one out of range is white. They have normals with nx, ny and nz, which
+/// become of length 1 or 0. Every other element and property is skipped, so the Stanford range
+/// scans load.
 ///
 /// Throws Error parse, with line or byte, for a malformed or truncated file, for indices without a
 /// vertex and for coordinates that are not finite or exceed 1e50; Error limit for 2^32 - 1 points.
 /// Phase "read".
-TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& execution);
+Model parsePly(std::span<const char> bytes, std::string_view name, Execution& execution);
 
 /// parsePly, and triangles across the element "range_grid" of scans of Cyberware's and Stanford's
 /// scanners: two for each cell of the grid with four points, however long its edges are. They face
@@ -29,7 +32,7 @@ TriMesh parsePly(std::span<const char> bytes, std::string_view name, Execution& 
 ///
 /// Throws as parsePly, and Error parse when the header's obj_info num_cols and num_rows do not give
 /// the size of the grid. A file without a range_grid is read as by parsePly.
-TriMesh parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Execution& execution);
+Model parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Execution& execution);
 
 /// Whether the file is of this format.
 bool looksLikePly(std::span<const char> head);

@@ -4,7 +4,8 @@
 
 #include "filters/base/error.h"
 #include "readers/coordinate_check.h"
-#include "readers/text_scanner.h"
+#include "readers/point_columns.h"
+#include "readers/text_columns.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,7 +20,8 @@ namespace
 
 constexpr std::size_t kChunkBytes = std::size_t(1) << 18U; // text and points fit the cache
 constexpr std::size_t kChunksPerThread = 8;
-constexpr std::size_t kShortestLine = 6; // "0 0 0\n"
+constexpr std::size_t kShortestLine = 6;   // "0 0 0\n"
+constexpr std::size_t kGuessPoints = 1000; // that tell what further columns hold
 
 /// What a line holds, from its start.
 enum class LineKind
@@ -37,36 +39,11 @@ struct Chunk
   const char* begin = nullptr;
   const char* end = nullptr;
   std::vector<Vec3> points;
+  std::vector<Color> colors;
+  std::vector<Vec3> normals;
   CoordinateCheck check;
   const char* broken = nullptr;
 };
-
-bool isComment(const char* at, const char* end)
-{
-  return *at == '#' || *at == '!' || *at == '%' || (*at == '/' && at + 1 != end && at[1] == '/');
-}
-
-bool isColumnEnd(const char* at, const char* end)
-{
-  return at == end || isSeparator(*at) || isLineEnd(*at);
-}
-
-const char* skipSeparator(const char* at, const char* end)
-{
-  at = skipBlanks(at, end);
-  if (at != end && (*at == ',' || *at == ';'))
-  {
-    at = skipBlanks(at + 1, end);
-  }
-  return at;
-}
-
-/// A column that holds a number; nullptr when it does not.
-const char* parseColumn(const char* at, const char* end, double& value)
-{
-  at = parseNumber(at, end, value);
-  return at != nullptr && isColumnEnd(at, end) ? at : nullptr;
-}
 
 /// Reads the line at `at`, which is not the end, and leaves `at` in it, behind what was read.
 LineKind readLine(const char*& at, const char* end, Vec3& point)
@@ -157,9 +134,52 @@ const char* skipHeader(const Source& source)
   source.fail("no point found; a vertex list has lines that start with three numbers");
 }
 
-/// Never throws: the storage is reserved.
-void readChunk(Chunk& chunk, bool isLettered)
+/// Whether a line is neither a point nor one that may stand between points.
+bool isBroken(LineKind kind, bool isLettered)
 {
+  return kind != LineKind::point && kind != LineKind::skip &&
+    !(isLettered && kind == LineKind::words);
+}
+
+/// What the columns of the points from `at` on hold.
+PointColumns findColumns(const char* at, const char* end, bool isLettered)
+{
+  std::vector<FurtherColumns> lines;
+  while (at != end && lines.size() < kGuessPoints)
+  {
+    Vec3 ignored;
+    const LineKind kind = readLine(at, end, ignored);
+    if (kind == LineKind::point)
+    {
+      lines.push_back(readFurtherColumns(at, end, FurtherColumns::kMost));
+    }
+    else if (isBroken(kind, isLettered))
+    {
+      break;
+    }
+    at = nextLine(at, end);
+  }
+  return guessColumns(lines);
+}
+
+/// Reads the columns behind z and moves `at` behind them.
+void readAttributes(Chunk& chunk, const char*& at, const PointColumns& columns)
+{
+  const FurtherColumns further = readFurtherColumns(at, chunk.end, columns.count());
+  if (columns.hasColors())
+  {
+    chunk.colors.push_back(columns.colorOf(further));
+  }
+  if (columns.hasNormals())
+  {
+    chunk.normals.push_back(columns.normalOf(further));
+  }
+}
+
+/// Never throws: the storage is reserved.
+void readChunk(Chunk& chunk, bool isLettered, const PointColumns& columns)
+{
+  const bool hasAttributes = columns.count() > 0;
   const char* at = chunk.begin;
   while (at != chunk.end)
   {
@@ -170,8 +190,12 @@ void readChunk(Chunk& chunk, bool isLettered)
     {
       chunk.points.push_back(point);
       chunk.check.see(point, line);
+      if (hasAttributes)
+      {
+        readAttributes(chunk, at, columns);
+      }
     }
-    else if (kind != LineKind::skip && !(isLettered && kind == LineKind::words))
+    else if (isBroken(kind, isLettered))
     {
       chunk.broken = line;
       return;
@@ -181,14 +205,27 @@ void readChunk(Chunk& chunk, bool isLettered)
 }
 
 /// Makes the chunk the whole lines from `at` on, about kChunkBytes; its storage is kept.
-void cutChunk(Chunk& chunk, const char* at, const char* end)
+void cutChunk(Chunk& chunk, const char* at, const char* end, const PointColumns& columns)
 {
   const auto rest = static_cast<std::size_t>(end - at);
   chunk.begin = at;
   chunk.end = rest > kChunkBytes ? nextLine(at + kChunkBytes, end) : end;
+  const std::size_t most = static_cast<std::size_t>(chunk.end - at) / kShortestLine + 1;
   chunk.points.clear();
-  chunk.points.reserve(static_cast<std::size_t>(chunk.end - at) / kShortestLine + 1);
+  chunk.points.reserve(most);
+  chunk.colors.clear();
+  chunk.colors.reserve(columns.hasColors() ? most : 0);
+  chunk.normals.clear();
+  chunk.normals.reserve(columns.hasNormals() ? most : 0);
   chunk.check = {};
+}
+
+/// Copies the points of the next chunk behind those of the model.
+void append(Model& model, const Chunk& chunk)
+{
+  model.points.insert(model.points.end(), chunk.points.begin(), chunk.points.end());
+  model.colors.insert(model.colors.end(), chunk.colors.begin(), chunk.colors.end());
+  model.normals.insert(model.normals.end(), chunk.normals.begin(), chunk.normals.end());
 }
 
 std::size_t countCharacter(const char* begin, const char* end, char wanted)
@@ -219,13 +256,17 @@ std::size_t countLines(const char* begin, const char* end)
 
 } // namespace
 
-TriMesh parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution)
+Model parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
   const Source source{ name, bytes };
   const char* at = skipHeader(source);
   const bool isLettered = *skipBlanks(at, source.end()) == 'p';
-  TriMesh mesh;
-  mesh.points.reserve(countLines(at, source.end()));
+  const PointColumns columns = findColumns(at, source.end(), isLettered);
+  Model model;
+  const std::size_t most = countLines(at, source.end());
+  model.points.reserve(most);
+  model.colors.reserve(columns.hasColors() ? most : 0);
+  model.normals.reserve(columns.hasNormals() ? most : 0);
   CoordinateCheck check;
   std::vector<Chunk> chunks(execution.threads() * kChunksPerThread);
   while (at != source.end())
@@ -233,14 +274,14 @@ TriMesh parsePointsText(std::span<const char> bytes, std::string_view name, Exec
     execution.step("read", static_cast<std::size_t>(at - source.begin()), bytes.size());
     for (Chunk& chunk : chunks)
     {
-      cutChunk(chunk, at, source.end());
+      cutChunk(chunk, at, source.end(), columns);
       at = chunk.end;
     }
     execution.parallelFor(chunks.size(), 1,
       [&](std::size_t begin, std::size_t end)
       {
         std::for_each(chunks.data() + begin, chunks.data() + end,
-          [&](Chunk& chunk) { readChunk(chunk, isLettered); });
+          [&](Chunk& chunk) { readChunk(chunk, isLettered, columns); });
       });
     for (const Chunk& chunk : chunks)
     {
@@ -248,17 +289,17 @@ TriMesh parsePointsText(std::span<const char> bytes, std::string_view name, Exec
       {
         failAtBrokenLine(source, chunk.broken);
       }
-      mesh.points.insert(mesh.points.end(), chunk.points.begin(), chunk.points.end());
+      append(model, chunk);
       check.append(chunk.check);
     }
   }
-  if (mesh.points.size() >= kNone)
+  if (model.points.size() >= kNone)
   {
     throw Error(ErrorCode::limit,
       std::string(name) + ": more than 4294967294 points; split or thin the list");
   }
-  check.finish(source, mesh.points.size(), CoordinateCheck::Place::line);
-  return mesh;
+  check.finish(source, model.points.size(), CoordinateCheck::Place::line);
+  return model;
 }
 
 bool looksLikePointsText(std::span<const char> head)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 
 #include <span>
 #include <string_view>
@@ -12,7 +12,17 @@ namespace scan
 {
 
 /// Reads a vertex list (.xyz .txt .asc .pts .csv .pwn): one point a line, x y z in the first three
-/// columns, further columns ignored.
+/// columns, perhaps a colour r g b of 0 to 255 and a normal nx ny nz behind them.
+///
+/// What further columns hold is decided by the first 1000 points, by those that have the most
+/// columns, all of them numbers:
+/// - 6 columns are x y z and a normal when its length is 1 +- 0.02 or 0 in all of them, x y z r g b
+///   when the three are integers of 0 to 255 in all of them; only zeros could be both;
+/// - 7 columns are x y z, an intensity and r g b when the last three are such integers; or x y z
+///   r g b and an opacity when the last one is 255 throughout and the two ahead of it vary;
+/// - 9 columns are x y z r g b nx ny nz when both hold.
+/// Everything else, the intensity too, is ignored. Lines without colour or normal, or with one out
+/// of range, are white or get 0 0 0 beside others. Normals become of length 1.
 ///
 /// Columns are separated by blanks, tabs, one comma or one semicolon; lines end with LF, CRLF or
 /// CR; a UTF-8 byte order mark, blank lines and comments (# // ! %) are skipped. Ahead of the first
@@ -23,7 +33,7 @@ namespace scan
 /// Throws Error parse for text without points, for a line that is no point, for decimal commas,
 /// for UTF-16, and for coordinates that are not finite or exceed 1e50.
 /// Phase "read"; parallel, the same points for any number of threads.
-TriMesh parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution);
+Model parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution);
 
 /// Whether a file that starts with `head` can be a vertex list.
 bool looksLikePointsText(std::span<const char> head);

@@ -11,5 +11,5 @@ vtkStandardNewMacro(vtkScanObjReader);
 scan::Model vtkScanObjReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return { scan::parseObj(bytes, name, execution) };
+  return scan::parseObj(bytes, name, execution);
 }

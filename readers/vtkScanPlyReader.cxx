@@ -11,6 +11,6 @@ vtkStandardNewMacro(vtkScanPlyReader);
 scan::Model vtkScanPlyReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return { this->GetReadAs() == Content::mesh ? scan::parsePlyRangeGrid(bytes, name, execution)
-                                              : scan::parsePly(bytes, name, execution) };
+  return this->GetReadAs() == Content::mesh ? scan::parsePlyRangeGrid(bytes, name, execution)
+                                            : scan::parsePly(bytes, name, execution);
 }

@@ -11,5 +11,5 @@ vtkStandardNewMacro(vtkScanPointsReader);
 scan::Model vtkScanPointsReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return { scan::parsePointsText(bytes, name, execution) };
+  return scan::parsePointsText(bytes, name, execution);
 }

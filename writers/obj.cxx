@@ -2,37 +2,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/obj.h"
 
+#include "writers/color_text.h"
 #include "writers/text_line.h"
+#include "writers/write_progress.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace scan
 {
-
-void writeObj(const TriMesh& mesh, OutputFile& file, Execution& execution)
+namespace
 {
-  constexpr std::size_t kStep = 1U << 15U;
-  const std::size_t total = mesh.points.size() + mesh.triangles.size();
-  std::size_t done = 0;
-  const auto report = [&]
+
+TextLine lineOf(std::string_view keyword, const Vec3& v)
+{
+  return TextLine(keyword).number(v.x).number(v.y).number(v.z);
+}
+
+TextLine cornersOf(const Triangle& triangle, bool hasNormals)
+{
+  TextLine line("f");
+  for (const Index corner : triangle)
   {
-    if (done++ % kStep == 0)
+    const std::uint64_t number = std::uint64_t(corner) + 1; // OBJ counts from 1
+    line.number(number);
+    if (hasNormals)
     {
-      execution.step("write", done, total);
+      line.text("//").digits(number);
     }
-  };
-  file.write("# OBJ by Scanwrap\n");
-  for (const Vec3& point : mesh.points)
-  {
-    report();
-    file.write(TextLine("v").number(point.x).number(point.y).number(point.z).text("\n"));
   }
-  for (const auto& [a, b, c] : mesh.triangles)
+  return line;
+}
+
+} // namespace
+
+void writeObj(const Model& model, OutputFile& file, Execution& execution)
+{
+  WriteProgress progress(
+    execution, model.points.size() + model.normals.size() + model.triangles.size());
+  file.write("# OBJ by Scanwrap\n");
+  for (std::size_t i = 0; i < model.points.size(); ++i)
   {
-    report();
-    constexpr std::uint64_t kFirst = 1; // OBJ counts from 1
-    file.write(TextLine("f").number(kFirst + a).number(kFirst + b).number(kFirst + c).text("\n"));
+    progress.next();
+    TextLine line = lineOf("v", model.points[i]);
+    if (!model.colors.empty())
+    {
+      putColor(line, model.colors[i]);
+    }
+    file.write(line.text("\n"));
+  }
+  for (const Vec3& normal : model.normals)
+  {
+    progress.next();
+    file.write(lineOf("vn", normal).text("\n"));
+  }
+  for (const Triangle& triangle : model.triangles)
+  {
+    progress.next();
+    file.write(cornersOf(triangle, !model.normals.empty()).text("\n"));
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 #include "writers/encoding.h"
 #include "writers/output_file.h"
 
@@ -18,10 +18,11 @@ struct PlyOptions
 
 /// Writes points and triangles as PLY, without loss; the caller commits the file.
 ///
-/// Coordinates are declared "float" when float32 holds every coordinate of the model exactly, else
-/// "double"; a file never mixes both. Triangles are "list uchar int", "uint" beyond 2^31 points; a
-/// scan has no element "face". The same mesh gives the same bytes. Phase "write".
+/// Coordinates, and normals as "nx", "ny", "nz", are declared "float" when float32 holds all of
+/// them exactly, else "double"; a file never mixes both. Colours are "uchar red", "green", "blue".
+/// Triangles are "list uchar int", "uint" beyond 2^31 points; a scan has no element "face". The
+/// same model gives the same bytes. Phase "write".
 void writePly(
-  const TriMesh& mesh, const PlyOptions& options, OutputFile& file, Execution& execution);
+  const Model& model, const PlyOptions& options, OutputFile& file, Execution& execution);
 
 } // namespace scan

@@ -29,7 +29,13 @@ public:
   template <class Number>
   TextLine& number(Number value)
   {
-    this->text(this->Size > 0 ? " " : "");
+    return this->text(this->Size > 0 ? " " : "").digits(value);
+  }
+
+  /// The number without a blank.
+  template <class Number>
+  TextLine& digits(Number value)
+  {
     char* const end = this->Characters + kCapacity;
     this->Size = static_cast<std::size_t>(
       std::to_chars(this->Characters + this->Size, end, value).ptr - this->Characters);

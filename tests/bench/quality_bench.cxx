@@ -46,7 +46,7 @@ void writeMesh(const TriMesh& mesh, const fs::path& path)
 {
   scan::Execution execution;
   scan::OutputFile file(path.string());
-  scan::writePly(mesh, {}, file, execution);
+  scan::writePly({ mesh }, {}, file, execution);
   file.commit();
 }
 

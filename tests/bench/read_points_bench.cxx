@@ -38,15 +38,15 @@ class Files
 public:
   Files()
   {
-    this->writePoints();
-    const scan::TriMesh mesh = grid();
+    this->writePoints("model.xyz", "");
+    this->writePoints("colored.xyz", "10 128 255");
+    scan::Model mesh = grid();
     scan::Execution execution;
-    scan::OutputFile ply(this->path("model.ply"));
-    scan::writePly(mesh, {}, ply, execution);
-    ply.commit();
-    scan::OutputFile obj(this->path("model.obj"));
-    scan::writeObj(mesh, obj, execution);
-    obj.commit();
+    this->writeMesh(mesh, "model");
+    mesh.colors.assign(mesh.points.size(), { 10, 128, 255 });
+    this->writeMesh(mesh, "colored");
+    mesh.normals.assign(mesh.points.size(), { 0.0, 0.6, 0.8 });
+    this->writeMesh(mesh, "shaded");
     scan::OutputFile stl(this->path("model.stl"));
     scan::writeStl(mesh, {}, stl, execution);
     stl.commit();
@@ -55,12 +55,23 @@ public:
   std::string path(const std::string& name) const { return this->Folder.file(name); }
 
 private:
-  /// Lines of three numbers with six decimals, as scanners write them.
-  void writePoints() const
+  void writeMesh(const scan::Model& mesh, const std::string& name) const
+  {
+    scan::Execution execution;
+    scan::OutputFile ply(this->path(name + ".ply"));
+    scan::writePly(mesh, {}, ply, execution);
+    ply.commit();
+    scan::OutputFile obj(this->path(name + ".obj"));
+    scan::writeObj(mesh, obj, execution);
+    obj.commit();
+  }
+
+  /// Lines of three numbers with six decimals, as scanners write them, and what follows them.
+  void writePoints(const std::string& name, std::string_view further) const
   {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> coordinate(-100.0, 100.0);
-    scan::OutputFile file(this->path("model.xyz"));
+    scan::OutputFile file(this->path(name));
     for (std::size_t i = 0; i < kLines; ++i)
     {
       char line[96];
@@ -70,17 +81,19 @@ private:
         end =
           std::to_chars(end, line + sizeof(line), coordinate(random), std::chars_format::fixed, 6)
             .ptr;
-        *end++ = k < 2 ? ' ' : '\n';
+        *end++ = ' ';
       }
+      end = further.empty() ? end - 1 : std::copy(further.begin(), further.end(), end);
+      *end++ = '\n';
       file.write({ line, static_cast<std::size_t>(end - line) });
     }
     file.commit();
   }
 
   /// A wavy square whose coordinates have six decimals.
-  static scan::TriMesh grid()
+  static scan::Model grid()
   {
-    scan::TriMesh mesh;
+    scan::Model mesh;
     for (scan::Index i = 0; i < kGrid; ++i)
     {
       for (scan::Index j = 0; j < kGrid; ++j)
@@ -131,16 +144,22 @@ void readVtk(benchmark::State& state, const std::string& path)
     static_cast<std::int64_t>(state.iterations() * std::filesystem::file_size(path)));
 }
 
-template <class Rival>
-void compare(const Files& files, const std::string& format, scan::test::Parser parser)
+void addOurs(const Files& files, const std::string& name, scan::test::Parser parser)
 {
-  const std::string path = files.path("model." + format);
-  benchmark::RegisterBenchmark((format + "/scanwrap/threads").c_str(), readOurs, parser, path)
+  benchmark::RegisterBenchmark(
+    (name + "/scanwrap/threads").c_str(), readOurs, parser, files.path(name))
     ->Arg(1)
     ->Arg(2)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-  benchmark::RegisterBenchmark((format + "/vtk").c_str(), readVtk<Rival>, path)
+}
+
+template <class Rival>
+void compare(const Files& files, const std::string& format, scan::test::Parser parser)
+{
+  const std::string name = "model." + format;
+  addOurs(files, name, parser);
+  benchmark::RegisterBenchmark((name + "/vtk").c_str(), readVtk<Rival>, files.path(name))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 }
@@ -154,6 +173,12 @@ int main(int argc, char** argv)
   compare<vtkSimplePointsReader>(files, "xyz", scan::parsePointsText);
   compare<vtkPLYReader>(files, "ply", scan::parsePly);
   compare<vtkOBJReader>(files, "obj", scan::parseObj);
-  compare<vtkSTLReader>(files, "stl", scan::parseStl);
+  compare<vtkSTLReader>(files, "stl", scan::test::asModel<scan::parseStl>);
+  addOurs(files, "colored.xyz", scan::parsePointsText);
+  for (const std::string name : { "colored", "shaded" })
+  {
+    addOurs(files, name + ".ply", scan::parsePly);
+    addOurs(files, name + ".obj", scan::parseObj);
+  }
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -21,6 +21,8 @@ namespace
 
 using scan::test::Parser;
 
+constexpr Parser kStl = scan::test::asModel<scan::parseStl>;
+
 struct Sample
 {
   std::string name;
@@ -59,14 +61,23 @@ std::vector<Sample> smallSamples()
     57);
   return {
     { "text", scan::parsePointsText, "# c\nX Y Z\n3\n1 2 3\r\n4,5,6e2\n7;8;9 1\n-1e-5 .5 1.\n" },
+    { "coloured text", scan::parsePointsText, "1 2 3 10 20 30 1 0 0\n4 5 6 40 50 60 0 .6 .8\n" },
     { "lettered", scan::parsePointsText, "# c\nd 0 0 0\np 1 2 3\np 4 5 6\n" },
     { "ascii ply", scan::parsePly,
       "ply\nformat ascii 1.0\n" + header + "0 0 1 5 2\n1 0 0 2\n0 1 2 8 9 2\n3 0 1 2\n" },
     { "binary ply", scan::parsePly, "ply\nformat binary_little_endian 1.0\n" + header + values },
     { "big-endian ply", scan::parsePly, "ply\nformat binary_big_endian 1.0\n" + header + swapped },
+    { "coloured ply", scan::parsePly,
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+      "property float red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+      "1 2 3 0 0 1 .5 1 0\n4 5 6 0 1e-9 1 .2 0 1\n" },
+    { "coloured obj", scan::parseObj,
+      "v 0 0 0 1 0.5 0\nv 1 0 0 1 1 1\nv 0 1 0\nvn 0 0 1\nvn 0 1 1\nvn 1 0 0\n"
+      "f 1//1 2//2 3//3\nf -1//-1 -2//-2 1//1\n" },
     { "obj", scan::parseObj, "v 0 0 0\nv 1 0 0\\\n\nv 1 1 0\nf 1/2/3 2//3 -1/1\nf 1 2 \\\n 3\n" },
-    { "binary stl", scan::parseStl, binaryStl(5) },
-    { "ascii stl", scan::parseStl,
+    { "binary stl", kStl, binaryStl(5) },
+    { "ascii stl", kStl,
       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\n"
       "endloop\nendfacet\nendsolid a\n" },
   };
@@ -81,11 +92,11 @@ std::vector<Sample> sharedSamples()
     { "01_points/hoppe/curve1.pts", scan::parsePointsText },
     { "02_range_scans/stanford_armadillo/ArmadilloBack_1.ply", scan::parsePly },
     { "02_range_scans/stanford_bunny/reconstruction/bun_zipper_res4.ply", scan::parsePly },
-    { "05_meshes/cgal/sphere.stl", scan::parseStl },
+    { "05_meshes/cgal/sphere.stl", kStl },
     { "09_bad/assimp/box_longline.obj", scan::parseObj },
-    { "09_bad/assimp/triangle_with_two_solids.stl", scan::parseStl },
+    { "09_bad/assimp/triangle_with_two_solids.stl", kStl },
     { "09_bad/trimesh/negative_indices.obj", scan::parseObj },
-    { "09_bad/trimesh/soup.stl", scan::parseStl },
+    { "09_bad/trimesh/soup.stl", kStl },
   };
   std::vector<Sample> samples;
   for (const auto& [name, parser] : files)
@@ -104,11 +115,16 @@ void expectErrorOrMesh(Parser parser, const std::string& bytes, const std::strin
 {
   try
   {
-    const scan::TriMesh mesh = scan::test::parse(parser, bytes);
-    bool isUsable = true;
+    const scan::Model mesh = scan::test::parse(parser, bytes);
+    bool isUsable = (mesh.colors.empty() || mesh.colors.size() == mesh.points.size()) &&
+      (mesh.normals.empty() || mesh.normals.size() == mesh.points.size());
     for (const scan::Vec3& p : mesh.points)
     {
       isUsable = isUsable && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    }
+    for (const scan::Vec3& n : mesh.normals)
+    {
+      isUsable = isUsable && (n == scan::Vec3{} || std::abs(dot(n, n) - 1.0) < 1e-12);
     }
     for (const auto& [a, b, c] : mesh.triangles)
     {

@@ -4,7 +4,7 @@
 
 #include "filters/base/error.h"
 #include "filters/base/execution.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 
 #include <span>
 #include <string>
@@ -14,7 +14,14 @@
 namespace scan::test
 {
 
-using Parser = TriMesh (*)(std::span<const char>, std::string_view, Execution&);
+using Parser = Model (*)(std::span<const char>, std::string_view, Execution&);
+
+/// A parser that gives a mesh, as a Parser.
+template <auto MeshParser>
+Model asModel(std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  return { MeshParser(bytes, name, execution) };
+}
 
 /// Parses a copy of the text that ends exactly at the end of its storage.
 /// @param parser (bytes, name, execution) -> model

@@ -19,6 +19,7 @@
 namespace
 {
 
+using scan::Model;
 using scan::TriMesh;
 
 struct Row
@@ -33,7 +34,7 @@ struct Row
 
 const std::string kFolder = SCAN_SHARED_DIR "/data/";
 
-TriMesh load(scan::test::Parser parser, const std::string& file)
+Model load(scan::test::Parser parser, const std::string& file)
 {
   const scan::MappedFile mapped(kFolder + file);
   scan::Execution execution;
@@ -51,7 +52,7 @@ class RefusedFile : public testing::TestWithParam<Row>
 constexpr scan::test::Parser kText = scan::parsePointsText;
 constexpr scan::test::Parser kPly = scan::parsePly;
 constexpr scan::test::Parser kObj = scan::parseObj;
-constexpr scan::test::Parser kStl = scan::parseStl;
+constexpr scan::test::Parser kStl = scan::test::asModel<scan::parseStl>;
 
 const std::vector<Row> kRows = {
   { kPly, "01_points/cgal/b9.ply", 22300, 0 },

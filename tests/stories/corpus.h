@@ -32,10 +32,11 @@ inline std::vector<Vec3> load(const std::filesystem::path& path)
   const MappedFile file(path.string());
   Execution execution;
   const std::string kind = path.extension().string();
-  const auto parse = kind == ".ply" ? parsePly
-    : kind == ".stl"                ? parseStl
-    : kind == ".obj"                ? parseObj
-                                    : parsePointsText;
+  if (kind == ".stl")
+  {
+    return parseStl(file.bytes(), path.string(), execution).points;
+  }
+  const auto parse = kind == ".ply" ? parsePly : kind == ".obj" ? parseObj : parsePointsText;
   return parse(file.bytes(), path.string(), execution).points;
 }
 

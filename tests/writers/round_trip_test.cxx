@@ -171,7 +171,7 @@ TEST(Writers, LeaveNothingWhenCancelled)
   EXPECT_THROW(
     {
       scan::OutputFile file(folder.file("x.ply"));
-      scan::writePly(bentStrip(10), {}, file, execution);
+      scan::writePly({ bentStrip(10) }, {}, file, execution);
       file.commit();
     },
     scan::Cancelled);

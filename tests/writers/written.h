@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 #include "tests/readers/temporary_folder.h"
 #include "writers/obj.h"
 #include "writers/ply.h"
@@ -27,12 +27,13 @@ inline Format stlFormat(Encoding encoding)
 inline Format plyFormat(Encoding encoding)
 {
   return [encoding](const TriMesh& mesh, OutputFile& file, Execution& execution)
-  { writePly(mesh, { .encoding = encoding }, file, execution); };
+  { writePly({ mesh }, { .encoding = encoding }, file, execution); };
 }
 
 inline Format objFormat()
 {
-  return writeObj;
+  return [](const TriMesh& mesh, OutputFile& file, Execution& execution)
+  { writeObj({ mesh }, file, execution); };
 }
 
 inline void writeFile(const std::string& path, const TriMesh& mesh, const Format& format)
