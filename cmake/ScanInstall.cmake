@@ -5,7 +5,7 @@
 include(CMakePackageConfigHelpers)
 
 set(scan_plain_libraries scan_build_flags)
-foreach(library base vtk_base geometry readers writers pipeline)
+foreach(library base vtk_base geometry readers cad_readers writers pipeline)
   if(TARGET scan_${library})
     list(APPEND scan_plain_libraries scan_${library})
     set_target_properties(scan_${library} PROPERTIES EXPORT_NAME ${library})
