@@ -5,7 +5,8 @@
 #   [-DUPDATE=ON] -P docs_test.cmake
 # - Every ```console block is run, line by line after "$ ", and must print what it shows; a line
 #   "..." stands for any lines. UPDATE writes what was printed where there is no such line.
-# - The manual shows the help of every verb, the README names every extension.
+# - The manual shows the help of every verb, the README names every extension, and docs/formats.md
+#   has the table of scanwrap --formats.
 # - Links and pictures exist. Pages keep their length.
 cmake_minimum_required(VERSION 3.25)
 foreach(path SOURCE PROGRAM FOLDER)
@@ -143,6 +144,12 @@ function(check_mentions)
       string(APPEND all_failures "docs/manual.md: the help of ${verb} is missing\n")
     endif()
   endforeach()
+  file(READ "${SOURCE}/docs/formats.md" formats)
+  execute_process(COMMAND "${PROGRAM}" --formats OUTPUT_VARIABLE table)
+  string(FIND "${formats}" "\n\n${table}\n" at)
+  if(table STREQUAL "" OR at EQUAL -1)
+    string(APPEND all_failures "docs/formats.md: the table of scanwrap --formats is missing:\n${table}\n")
+  endif()
   string(REGEX MATCHALL "\n(reads|writes): [^\n]+" lines "${help}")
   string(REGEX REPLACE "\n[a-z]+: +" ", " extensions "${lines}")
   string(REGEX MATCHALL "[a-z0-9]+" extensions "${extensions}")
