@@ -46,6 +46,7 @@ namespace
 
 constexpr std::size_t kIgesColumns = 72;     // of data; the section and the number follow
 constexpr double kRelativeDeflection = 1e-3; // of the diagonal
+constexpr double kRelativeGap = 1e-5;        // between loose faces that meet, of the diagonal
 
 /// A progress bar of OpenCASCADE that reports every percent.
 class FractionIndicator : public Message_ProgressIndicator
@@ -110,9 +111,12 @@ private:
   int Descriptor = -1;
 };
 
+constexpr const char* kCannotRead =
+  "OpenCASCADE cannot read the content; export it again from the CAD program";
+
 [[noreturn]] void failOnContent(const Source& source)
 {
-  source.fail("the content is malformed; export it again from the CAD program");
+  source.fail(kCannotRead);
 }
 
 /// The shape of a file, once it is read into `reader`.
@@ -127,7 +131,8 @@ TopoDS_Shape transfer(XSControl_Reader& reader, const Message_ProgressRange& pro
 struct CadContent
 {
   TopoDS_Shape shape;
-  double resolution = 0.0; // of loose faces, in millimetres; 0: they stay as they are
+  double resolution = 0.0;        // in millimetres, where the file tells
+  bool mayHaveLooseFaces = false; // that belong together, though the file does not say so
 };
 
 CadContent readStep(const Source& source, Message_ProgressScope& progress)
@@ -154,7 +159,7 @@ CadContent readIges(const Source& source, Message_ProgressScope& progress)
   progress.Next(2);
   const TopoDS_Shape shape = transfer(reader, progress.Next(4));
   const IGESData_GlobalSection& header = reader.IGESModel()->GlobalSection();
-  return { shape, header.Resolution() * header.UnitValue() };
+  return { shape, header.Resolution() * header.UnitValue(), true };
 }
 
 /// The faces of the shape; those that are in no shell sewn where they are closer than the
@@ -216,8 +221,9 @@ TriMesh meshOf(
   const double deflection =
     options.deflection > 0.0 ? options.deflection : kRelativeDeflection * diagonal;
   const Message_ProgressRange sewing = progress.Next(4);
-  const TopoDS_Shape shape = content.resolution > 0.0
-    ? sewLooseFaces(content.shape, std::min(content.resolution, 0.5 * deflection), sewing)
+  const double gap = std::max(content.resolution, kRelativeGap * diagonal);
+  const TopoDS_Shape shape = content.mayHaveLooseFaces
+    ? sewLooseFaces(content.shape, std::min(gap, 0.5 * deflection), sewing)
     : content.shape;
   return tessellate(shape, deflection, options.angle, source, progress.Next(10));
 }
@@ -234,10 +240,9 @@ TriMesh guardedMeshOf(
   {
     throw std::bad_alloc();
   }
-  catch (const Standard_Failure& failure)
+  catch (const Standard_Failure&)
   {
-    source.fail("the CAD library gave up (" + std::string(failure.DynamicType()->Name()) +
-      "); export the file again from the CAD program");
+    failOnContent(source);
   }
 }
 
@@ -256,8 +261,7 @@ void check(const CadOptions& options)
 Model modelOf(const Source& source, const CadOptions& options, Read read, Execution& execution)
 {
   check(options);
-  const std::string whenItDies = std::string(source.name) +
-    ": the CAD library crashed on the content; export the file again from the CAD program";
+  const std::string whenItDies = std::string(source.name) + ": " + kCannotRead;
   Model model{ runIsolated([&](const ReportFraction& report)
     { return guardedMeshOf(source, options, read, report); },
     whenItDies, execution) };

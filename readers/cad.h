@@ -14,8 +14,8 @@ namespace scan
 /// How finely the surfaces of a CAD file become triangles.
 struct CadOptions
 {
-  /// Largest distance between the triangles and the surface, in millimetres; 0: a thousandth of
-  /// the diagonal of the bounding box.
+  /// Largest distance wanted between the triangles and the surface, in millimetres; 0: a
+  /// thousandth of the diagonal of the bounding box. Held for samples of all triangles.
   double deflection = 0.0;
 
   /// Largest turn of the surface along an edge of a triangle, in radians, more than 0.
@@ -39,8 +39,8 @@ Model parseStep(std::span<const char> bytes, std::string_view name, const CadOpt
   Execution& execution);
 
 /// Reads the faces of an IGES file (fixed ASCII form, 5.3 and before), as parseStep() does. Faces
-/// that are not part of a shell are sewn where they meet within the resolution that the file
-/// tells, at most half the deflection.
+/// that are not part of a shell are sewn where their edges are closer than the resolution that the
+/// file tells, or than 1e-5 of the diagonal if that is more; at most half the deflection.
 Model parseIges(std::span<const char> bytes, std::string_view name, const CadOptions& options,
   Execution& execution);
 

@@ -4,9 +4,11 @@
 
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <Message_ProgressRange.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Message_ProgressScope.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
@@ -17,8 +19,10 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <gp.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -28,6 +32,9 @@ namespace scan
 {
 namespace
 {
+
+/// OpenCASCADE's meshes exceed its deflection, those of spheres twofold.
+constexpr double kMargins[] = { 0.7, 0.4, 0.2 };
 
 /// Six times the volume below the triangles from `first` on.
 double signedVolume(const TriMesh& mesh, std::size_t first)
@@ -220,6 +227,76 @@ private:
   TopTools_DataMapOfShapeInteger Vertices;
 };
 
+/// How far the surface is from the triangle, along its normal, in its centre and in the middle of
+/// its longest edge.
+double heightOver(
+  const Poly_Triangulation& mesh, const Poly_Triangle& triangle, const GeomAdaptor_Surface& surface)
+{
+  std::array<gp_XYZ, 3> corners;
+  std::array<gp_XY, 3> parameters;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    corners[i] = mesh.Node(triangle.Value(static_cast<int>(i) + 1)).XYZ();
+    parameters[i] = mesh.UVNode(triangle.Value(static_cast<int>(i) + 1)).XY();
+  }
+  gp_XYZ normal = (corners[1] - corners[0]).Crossed(corners[2] - corners[0]);
+  if (normal.Modulus() < gp::Resolution())
+  {
+    return 0.0;
+  }
+  normal.Normalize();
+  const auto height = [&](const gp_XY& at)
+  { return std::abs((surface.Value(at.X(), at.Y()).XYZ() - corners[0]).Dot(normal)); };
+  const auto length = [&](std::size_t i)
+  { return (corners[i] - corners[(i + 1) % 3]).SquareModulus(); };
+  const std::size_t longest =
+    length(0) > length(1) ? (length(0) > length(2) ? 0 : 2) : (length(1) > length(2) ? 1 : 2);
+  return std::max(height((parameters[0] + parameters[1] + parameters[2]) / 3.0),
+    height((parameters[longest] + parameters[(longest + 1) % 3]) / 2.0));
+}
+
+/// Whether all triangles are within the deflection, as far as samples tell.
+bool isWithin(double deflection, const TopoDS_Shape& shape)
+{
+  for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next())
+  {
+    TopLoc_Location place;
+    const TopoDS_Face& face = TopoDS::Face(at.Current());
+    const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, place);
+    const GeomAdaptor_Surface surface(BRep_Tool::Surface(face, place));
+    if (mesh.IsNull() || !mesh->HasUVNodes() || surface.GetType() == GeomAbs_Plane)
+    {
+      continue;
+    }
+    for (int i = 1; i <= mesh->NbTriangles(); ++i)
+    {
+      if (heightOver(*mesh, mesh->Triangle(i), surface) > deflection)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void triangulate(
+  const TopoDS_Shape& shape, double deflection, double angle, const Message_ProgressRange& progress)
+{
+  Message_ProgressScope scope(progress, "", 3);
+  IMeshTools_Parameters parameters;
+  parameters.Angle = angle;
+  for (const double margin : kMargins)
+  {
+    BRepTools::Clean(shape);
+    parameters.Deflection = margin * deflection;
+    const BRepMesh_IncrementalMesh mesher(shape, parameters, scope.Next());
+    if (isWithin(deflection, shape))
+    {
+      return;
+    }
+  }
+}
+
 void failOnMissingFaces(
   const std::vector<TopoDS_Face>& faces, double deflection, const Source& source)
 {
@@ -242,10 +319,7 @@ void failOnMissingFaces(
 TriMesh tessellate(const TopoDS_Shape& shape, double deflection, double angle, const Source& source,
   const Message_ProgressRange& progress)
 {
-  IMeshTools_Parameters parameters;
-  parameters.Deflection = deflection;
-  parameters.Angle = angle;
-  BRepMesh_IncrementalMesh mesher(shape, parameters, progress);
+  triangulate(shape, deflection, angle, progress);
   FaceJoiner joiner;
   for (TopExp_Explorer at(shape, TopAbs_SOLID); at.More(); at.Next())
   {
