@@ -12,7 +12,8 @@ namespace scan
 {
 
 /// One model with the points and cells of all parts, in their order. Points stay double; point
-/// arrays that every part has are kept. A single part is returned as it is.
+/// arrays that every part has are kept, and the unit. A single part is returned as it is.
+/// @throws Error{badInput} when the parts have different units, or only some have one
 vtkSmartPointer<vtkPolyData> mergeModels(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
 
 } // namespace scan

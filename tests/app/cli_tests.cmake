@@ -102,6 +102,14 @@ scan_cli_test(LinksInCircle "ln -s a.ply b.ply; ln -s b.ply a.ply; scanwrap a.pl
 scan_cli_test(OffNamedXyz "printf 'OFF\\n4 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 1 2\\n' > in.xyz; scanwrap in.xyz info" OUT "triangles +1")
 scan_cli_test(OffThatLies "printf 'OFF\\n4 4 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 1 2\\n' > in.off; scanwrap in.off info" EXIT 2 ERR "in.off: .*face")
 scan_cli_test(PtxNamedPts "printf '2\\n2\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n1 0 0 0\\n0 1 0 0\\n0 0 1 0\\n0 0 0 1\\n1 2 3 0.5\\n' > in.pts; scanwrap in.pts info" EXIT 2 ERR "in.pts: .*cell")
+scan_cli_test(EveryFormatComesBack "scanwrap $DATA/torus.xyz wrap -o a.ply -o a.obj -o a.off -o a.3ds -o a.glb -o a.3mf && for f in a.*; do scanwrap $f info | grep -E '^(points|triangles|genus) '; done | sort | uniq -c"
+  OUT "^ *6 genus +1\n +6 points +5000\n +6 triangles +10000\n$")
+scan_cli_test(OptionsOfOutputs "scanwrap $DATA/torus.xyz wrap -o a.dxf -o b.dxf --faces=polyface -o a.wrl -o b.wrl --version=1.0 && grep -c 3DFACE a.dxf; grep -c POLYLINE b.dxf; head -c 10 a.wrl; head -c 10 b.wrl"
+  OUT "^10000\n1\n#VRML V2.0#VRML V1.0")
+scan_cli_test(OptionOfAnotherOutput "scanwrap $DATA/torus.xyz wrap -o a.stl --faces=polyface" EXIT 2 ERR "there is no option --faces")
+scan_cli_test(BadOptionOfOutput "scanwrap $DATA/torus.xyz wrap -o a.dxf --faces=round" EXIT 2 ERR "--faces=round: .*3dface")
+scan_cli_test(DifferentUnits "scanwrap $DATA/torus.xyz -o a.glb; scanwrap a.glb $DATA/torus.xyz info" EXIT 1 ERR "different units")
+scan_cli_test(FormatTable "scanwrap --formats" OUT "^. format .*. IGES . igs, iges .")
 scan_cli_test(GzipIsNotRead "gzip -c $DATA/helix.xyz > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: is compressed with gzip; unpack it first")
 scan_cli_test(DxfIsNotRead "scanwrap $DATA/helix.xyz -o out.dxf; scanwrap out.dxf info" FILES out.dxf EXIT 2 ERR "out.dxf: is a DXF drawing")
 scan_cli_test(Utf16 "iconv -f ascii -t utf-16 $DATA/helix.xyz > in.xyz; scanwrap in.xyz wrap -o out.stl" EXIT 2 ERR "in.xyz: .*UTF-16")
