@@ -263,7 +263,7 @@ Model modelOf(const Source& source, const CadOptions& options, Read read, Execut
   check(options);
   const std::string whenItDies = std::string(source.name) + ": " + kCannotRead;
   Model model{ runIsolated([&](const ReportFraction& report)
-    { return guardedMeshOf(source, options, read, report); },
+    { return Model{ guardedMeshOf(source, options, read, report) }; },
     whenItDies, execution) };
   const auto isBad = [](const Vec3& p)
   {

@@ -25,6 +25,8 @@ namespace scan
 namespace
 {
 
+using Work = std::function<Model(const ReportFraction& report)>;
+
 constexpr int kPollMilliseconds = 50;
 
 /// What the copy sends, each followed by `count` items.
@@ -33,6 +35,9 @@ enum class Kind : std::uint32_t
   fraction, // double
   points,
   triangles,
+  colors,
+  normals,
+  unit,  // double
   error, // characters
   done
 };
@@ -89,8 +94,7 @@ void detach()
   std::setlocale(LC_ALL, "C");
 }
 
-[[noreturn]] void runCopy(
-  const std::function<TriMesh(const ReportFraction& report)>& work, int pipe) noexcept
+[[noreturn]] void runCopy(const Work& work, int pipe) noexcept
 {
   detach();
   const auto fail = [&](ErrorCode code, const std::string& message) {
@@ -98,10 +102,13 @@ void detach()
   };
   try
   {
-    const TriMesh mesh = work(
+    const Model model = work(
       [&](double fraction) { send(pipe, { Kind::fraction }, std::vector<double>{ fraction }); });
-    send(pipe, { Kind::points }, mesh.points);
-    send(pipe, { Kind::triangles }, mesh.triangles);
+    send(pipe, { Kind::points }, model.points);
+    send(pipe, { Kind::triangles }, model.triangles);
+    send(pipe, { Kind::colors }, model.colors);
+    send(pipe, { Kind::normals }, model.normals);
+    send(pipe, { Kind::unit }, std::vector<double>{ model.millimetresPerUnit });
     send(pipe, { Kind::done }, std::string());
   }
   catch (const Error& error)
@@ -125,7 +132,7 @@ void detach()
 class Copy
 {
 public:
-  Copy(const std::function<TriMesh(const ReportFraction& report)>& work, Execution& execution)
+  Copy(const Work& work, Execution& execution)
     : Run(execution)
   {
     int ends[2] = { -1, -1 };
@@ -211,36 +218,50 @@ private:
 
 } // namespace
 
-TriMesh runIsolated(const std::function<TriMesh(const ReportFraction& report)>& work,
-  const std::string& whenItDies, Execution& execution)
+Model runIsolated(const Work& work, const std::string& whenItDies, Execution& execution)
 {
   constexpr std::size_t kSteps = 1000;
   execution.step("read", 0, kSteps);
   Copy copy(work, execution);
-  TriMesh mesh;
-  std::vector<double> fraction;
+  Model model;
+  std::vector<double> number;
   std::string message;
-  for (Frame frame; copy.receive(&frame, sizeof(frame));)
+  const auto receive = [&](const Frame& frame)
   {
-    const bool isComplete = frame.kind == Kind::fraction ? copy.receive(frame.count, fraction)
-      : frame.kind == Kind::points                       ? copy.receive(frame.count, mesh.points)
-      : frame.kind == Kind::triangles                    ? copy.receive(frame.count, mesh.triangles)
-                                                         : copy.receive(frame.count, message);
-    if (!isComplete)
+    switch (frame.kind)
     {
-      break;
+      case Kind::points:
+        return copy.receive(frame.count, model.points);
+      case Kind::triangles:
+        return copy.receive(frame.count, model.triangles);
+      case Kind::colors:
+        return copy.receive(frame.count, model.colors);
+      case Kind::normals:
+        return copy.receive(frame.count, model.normals);
+      case Kind::fraction:
+      case Kind::unit:
+        return copy.receive(frame.count, number) && number.size() == 1;
+      default:
+        return copy.receive(frame.count, message);
     }
+  };
+  for (Frame frame; copy.receive(&frame, sizeof(frame)) && receive(frame);)
+  {
     if (frame.kind == Kind::error)
     {
       throw Error(frame.code, message);
     }
     if (frame.kind == Kind::done)
     {
-      return mesh;
+      return model;
+    }
+    if (frame.kind == Kind::unit)
+    {
+      model.millimetresPerUnit = number[0];
     }
     if (frame.kind == Kind::fraction)
     {
-      execution.step("read", static_cast<std::size_t>(fraction[0] * kSteps), kSteps);
+      execution.step("read", static_cast<std::size_t>(number[0] * kSteps), kSteps);
     }
   }
   execution.step("read", 0, kSteps); // ended by a cancel?

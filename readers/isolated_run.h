@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 
 #include <functional>
 #include <string>
@@ -14,7 +14,7 @@ namespace scan
 /// Tells how much of the work of runIsolated() is done, 0 to 1.
 using ReportFraction = std::function<void(double fraction)>;
 
-/// Runs `work` in a copy of this process and hands back its mesh: for libraries that cannot be
+/// Runs `work` in a copy of this process and hands back its model: for libraries that cannot be
 /// stopped, print, and do not survive every file. What they print goes nowhere; a cancel ends them
 /// within 0.1 s.
 ///
@@ -23,7 +23,7 @@ using ReportFraction = std::function<void(double fraction)>;
 ///
 /// Throws what `work` throws as Error, with its code and message; Error parse with the message
 /// `whenItDies` when the copy crashes; Error memory when there is none left. Phase "read".
-TriMesh runIsolated(const std::function<TriMesh(const ReportFraction& report)>& work,
+Model runIsolated(const std::function<Model(const ReportFraction& report)>& work,
   const std::string& whenItDies, Execution& execution);
 
 } // namespace scan
