@@ -3,6 +3,7 @@
 #include "pipeline/format_registry.h"
 
 #include "readers/autodesk_3ds.h"
+#include "readers/cad.h"
 #include "readers/cyberware_header.h"
 #include "readers/digibotics.h"
 #include "readers/gltf.h"
@@ -12,11 +13,13 @@
 #include "readers/pcd.h"
 #include "readers/ply.h"
 #include "readers/points_text.h"
+#include "readers/polydata.h"
 #include "readers/pts.h"
 #include "readers/ptx.h"
 #include "readers/stl.h"
 #include "readers/threemf.h"
 #include "readers/vtkScanAutodesk3dsReader.h"
+#include "readers/vtkScanCadReader.h"
 #include "readers/vtkScanCyberwareReader.h"
 #include "readers/vtkScanDigiboticsReader.h"
 #include "readers/vtkScanGltfReader.h"
@@ -30,6 +33,7 @@
 #include "readers/vtkScanPtxReader.h"
 #include "readers/vtkScanStlReader.h"
 #include "readers/vtkScanThreemfReader.h"
+#include "readers/vtkScanVtpReader.h"
 #include "writers/vtkScanAutodesk3dsWriter.h"
 #include "writers/vtkScanDxfWriter.h"
 #include "writers/vtkScanGlbWriter.h"
@@ -42,6 +46,7 @@
 #include "writers/vtkScanStlWriter.h"
 #include "writers/vtkScanThreemfWriter.h"
 #include "writers/vtkScanVrmlWriter.h"
+#include "writers/vtkScanVtpWriter.h"
 #include "writers/vtkScanXyzWriter.h"
 
 namespace scan
@@ -195,14 +200,17 @@ const std::vector<Format>& formats()
       .makeWriter = makeWriter<vtkScanVrmlWriter> },
     { .name = "IGES",
       .extensions = { "igs", "iges" },
+      .reads = { .triangles = true },
       .writes = { .points = true,
         .triangles = true,
-        .unit = "in the file",
+        .unit = "in the file, read as millimetre",
         .limits = "1.4 million triangles, 600,000 as a solid" },
       .writeParameters = { { .name = "entities",
         .defaultValue = "faces",
         .help = "planes one by one, one solid of a closed surface, patches, polylines, points",
         .choices = { "faces", "solid", "nurbs", "wireframe", "points" } } },
+      .looksLike = looksLikeIges,
+      .makeReader = makeReader<vtkScanCadReader>,
       .makeWriter = makeWriter<vtkScanIgesWriter> },
     { .name = "glTF",
       .extensions = { "glb", "gltf" },
@@ -229,6 +237,23 @@ const std::vector<Format>& formats()
       .looksLike = looksLikeThreemf,
       .makeReader = makeReader<vtkScanThreemfReader>,
       .makeWriter = makeWriter<vtkScanThreemfWriter> },
+    { .name = "STEP",
+      .extensions = { "stp", "step" },
+      .reads = { .triangles = true, .unit = "read as millimetre" },
+      .looksLike = looksLikeStep,
+      .makeReader = makeReader<vtkScanCadReader> },
+    { .name = "VTK XML PolyData",
+      .extensions = { "vtp" },
+      .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .writes = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .looksLike = looksLikeVtp,
+      .makeReader = makeReader<vtkScanVtpReader>,
+      .makeWriter = makeWriter<vtkScanVtpWriter> },
+    { .name = "VTK legacy PolyData",
+      .extensions = { "vtk" },
+      .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .looksLike = looksLikeLegacyVtk,
+      .makeReader = makeReader<vtkScanVtpReader> },
     { .name = "LAS",
       .extensions = { "las" },
       .reads = { .points = true,
