@@ -102,6 +102,8 @@ private:
     }
     this->Scan.model.points.reserve(count);
     this->Scan.cells.reserve(count);
+    // two triangles for each point but the last of its longitude
+    this->Scan.model.triangles.reserve(this->Options.mesh ? 2 * count : 0);
   }
 
   void report(std::int64_t lg)

@@ -290,7 +290,8 @@ bool looksLikeObj(std::span<const char> head)
   static constexpr std::string_view kKeywords[] = { "v", "vn", "vt", "vp", "f", "l", "o", "g", "s",
     "mtllib", "usemtl" };
   const char* const end = head.data() + head.size();
-  const char* at = skipSpace(head.data(), end);
+  const bool isMarked = std::string_view(head.data(), head.size()).starts_with("\xef\xbb\xbf");
+  const char* at = skipSpace(head.data() + (isMarked ? 3 : 0), end);
   while (at != end && *at == '#')
   {
     at = skipSpace(nextLine(at, end), end);

@@ -376,7 +376,7 @@ bool looksLikePcd(std::span<const char> head)
     at = skipSpace(nextLine(at, end), end);
   }
   const std::string_view first = word(at, end);
-  return first == "VERSION" || first == "FIELDS";
+  return first == "VERSION" || first == "FIELDS" || first == "COLUMNS";
 }
 
 } // namespace scan

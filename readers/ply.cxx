@@ -41,9 +41,9 @@ public:
       throw Error(ErrorCode::limit,
         std::string(this->Input.name) + ": more than 4294967294 points; split the file");
     }
+    this->checkCounts();
     for (const PlyElement& element : this->Header.elements)
     {
-      this->checkCount(element);
       if (element.name == "vertex")
       {
         this->loadVertices(element);
@@ -69,13 +69,18 @@ public:
 
 private:
   /// No storage is reserved for elements that cannot be in the file.
-  void checkCount(const PlyElement& element) const
+  void checkCounts() const
   {
-    const std::size_t properties = element.properties.size();
-    if (properties > 0 && element.count > this->Values.left(PlyType::uint8) / properties)
+    std::uint64_t left = this->Values.left(PlyType::uint8);
+    for (const PlyElement& element : this->Header.elements)
     {
-      this->Values.fail("the header announces " + std::to_string(element.count) + " of '" +
-        element.name + "', more than the file can hold; it is truncated");
+      const std::uint64_t least = this->Values.leastSize(element);
+      if (least > 0 && element.count > left / least)
+      {
+        this->Values.fail("the header announces " + std::to_string(element.count) + " of '" +
+          element.name + "', more than the file can hold; it is truncated");
+      }
+      left -= element.count * least;
     }
   }
 
@@ -181,6 +186,19 @@ private:
       });
   }
 
+  /// Doubling the room would take much memory for a large file: it ends where the file must.
+  /// @param most triangles that can follow
+  void addTriangle(const Triangle& triangle, std::uint64_t most)
+  {
+    std::vector<Triangle>& all = this->Mesh.triangles;
+    if (all.size() == all.capacity())
+    {
+      const std::uint64_t bound = all.size() + most + 1;
+      all.reserve(4 * all.size() < bound ? std::min(2 * all.size() + 64, bound) : bound);
+    }
+    all.push_back(triangle);
+  }
+
   void loadPolygon(const PlyProperty& list)
   {
     const std::uint64_t length = this->listLength(list);
@@ -192,7 +210,7 @@ private:
       fan[2] = corner;
       if (i >= 2)
       {
-        this->Mesh.triangles.push_back(fan);
+        this->addTriangle(fan, this->Values.left(list.type));
       }
     }
   }
@@ -213,8 +231,8 @@ private:
       last = { last[1], last[2], this->vertexIndex(value) };
       if (++used >= 3)
       {
-        this->Mesh.triangles.push_back(
-          used % 2 == 1 ? last : Triangle{ last[1], last[0], last[2] });
+        this->addTriangle(used % 2 == 1 ? last : Triangle{ last[1], last[0], last[2] },
+          this->Values.left(list.type));
       }
     }
   }
@@ -232,6 +250,8 @@ private:
         " cells, but obj_info num_cols and num_rows say " + std::to_string(columns) + " x " +
         std::to_string(this->Header.rows) + "; load the points without a mesh");
     }
+    this->Mesh.triangles.reserve(
+      this->Mesh.triangles.size() + 2 * std::min(element.count, this->VertexCount));
     std::vector<Index> below;
     std::vector<Index> row;
     this->forEach(element,
@@ -277,8 +297,10 @@ private:
     {
       if (below[i] != kNone && below[i + 1] != kNone && above[i] != kNone && above[i + 1] != kNone)
       {
-        this->Mesh.triangles.push_back({ below[i], below[i + 1], above[i + 1] });
-        this->Mesh.triangles.push_back({ below[i], above[i + 1], above[i] });
+        // a cell takes two bytes
+        const std::uint64_t most = this->Values.left(PlyType::uint8) + 2 * (below.size() - i);
+        this->addTriangle({ below[i], below[i + 1], above[i + 1] }, most);
+        this->addTriangle({ below[i], above[i + 1], above[i] }, most);
       }
     }
   }

@@ -21,9 +21,9 @@ namespace scan
 /// become of length 1 or 0. Every other element and property is skipped, so the Stanford range
 /// scans load.
 ///
-/// Throws Error parse, with line or byte, for a malformed or truncated file, for indices without a
-/// vertex and for coordinates that are not finite or exceed 1e50; Error limit for 2^32 - 1 points.
-/// Phase "read".
+/// Throws Error parse, with line or byte, for a malformed or truncated file, for a second element
+/// "vertex", for indices without a vertex and for coordinates that are not finite or exceed 1e50;
+/// Error limit for 2^32 - 1 points. Phase "read".
 Model parsePly(std::span<const char> bytes, std::string_view name, Execution& execution);
 
 /// parsePly, and triangles across the element "range_grid" of scans of Cyberware's and Stanford's

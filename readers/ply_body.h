@@ -72,6 +72,9 @@ public:
     return static_cast<std::uint64_t>(this->Text.end() - this->At + 1) / 2;
   }
 
+  /// How many of left(uint8) an element takes at least.
+  std::uint64_t leastSize(const PlyElement& element) const { return element.properties.size(); }
+
   [[noreturn]] void fail(const std::string& what) const { this->Text.failAtLine(this->At, what); }
 
 private:
@@ -143,6 +146,16 @@ public:
   std::uint64_t left(PlyType type) const
   {
     return static_cast<std::uint64_t>(this->Data.end() - this->At) / plySize(type);
+  }
+
+  std::uint64_t leastSize(const PlyElement& element) const
+  {
+    std::uint64_t size = 0;
+    for (const PlyProperty& property : element.properties)
+    {
+      size += plySize(property.isList ? property.countType : property.type);
+    }
+    return size;
   }
 
   [[noreturn]] void fail(const std::string& what) const { this->Data.failAtByte(this->At, what); }

@@ -149,6 +149,13 @@ private:
     const std::string_view number = words[2];
     PlyElement element;
     element.name = words[1];
+    const std::vector<PlyElement>& known = this->Result.elements;
+    if (element.name == "vertex" &&
+      std::any_of(
+        known.begin(), known.end(), [](const PlyElement& other) { return other.name == "vertex"; }))
+    {
+      this->fail("a second element 'vertex'; only one list of points can be read");
+    }
     const char* const end = number.data() + number.size();
     const std::from_chars_result result = std::from_chars(number.data(), end, element.count);
     if (result.ec != std::errc() || result.ptr != end)

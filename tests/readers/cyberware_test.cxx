@@ -202,6 +202,17 @@ TEST(Cyberware, LeavesAPartOfATurnOpen)
   EXPECT_EQ(mesh(cyberwareText(map)).model.triangles.size(), 6U * 4 * 2);
 }
 
+TEST(Cyberware, MakesNoRoomForMoreTrianglesThanThereAre)
+{
+  CyberwareMap map;
+  map.longitudes = 9;
+  map.longitudeStep = 698132;
+  map.samples.assign(45, 1000);
+  const Model model = mesh(cyberwareText(map)).model;
+  EXPECT_EQ(model.triangles.size(), 9U * 4 * 2);
+  EXPECT_LE(model.triangles.capacity(), 2 * model.points.size());
+}
+
 TEST(Cyberware, MeshesNoCellWithAVoidCorner)
 {
   CyberwareMap map;

@@ -79,3 +79,13 @@ TEST(Obj, CountsUnusableCoordinates)
 {
   EXPECT_NE(error("v 0 0 0\nv inf 0 0\nv 1e60 0 0\n").find("2 of 3 points"), std::string::npos);
 }
+
+TEST(Obj, IsRecognisedBehindAByteOrderMark)
+{
+  const auto looks = [](std::string_view head) {
+    return scan::looksLikeObj({ head.data(), head.size() });
+  };
+  EXPECT_TRUE(looks("\xef\xbb\xbfv 1 2 3\n"));
+  EXPECT_TRUE(looks("\xef\xbb\xbf# by hand\nv 1 2 3\n"));
+  EXPECT_FALSE(looks("\xef\xbb\xbf"));
+}

@@ -298,6 +298,7 @@ TEST(Pcd, KnowsItsOwn)
   EXPECT_TRUE(looks(plain(1, "ascii")));
   EXPECT_TRUE(looks("VERSION .7\nFIELDS x y z\n"));
   EXPECT_TRUE(looks("# made by hand\nFIELDS x y z\n"));
+  EXPECT_TRUE(looks("COLUMNS x y z\nDATA ascii\n"));
   EXPECT_FALSE(looks("# a list\n1 2 3\n"));
   EXPECT_FALSE(looks("ply\n"));
   EXPECT_FALSE(looks(""));

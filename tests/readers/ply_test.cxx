@@ -174,6 +174,40 @@ TEST(Ply, BoundsEveryCountByTheFile)
   EXPECT_NE(error(kAscii + kSquare + "3 0 1").find("line 14"), std::string::npos);
 }
 
+TEST(Ply, BoundsAllCountsTogetherByTheFile)
+{
+  const std::string binary = "ply\nformat binary_little_endian 1.0\n";
+  const std::string bytes = "property uchar x\nproperty uchar y\nproperty uchar z\n";
+  const std::string list = "property list uint uchar vertex_indices\nend_header\n";
+  const std::string data(120, '\0');
+  const auto message = [&](const std::string& vertices, const std::string& faces)
+  {
+    return error(binary + "element vertex " + vertices + "\n" + bytes + "element face " + faces +
+      "\n" + list + data);
+  };
+  EXPECT_EQ(message("20", "15"), "");
+  EXPECT_NE(message("20", "16").find("announces 16 of 'face', more"), std::string::npos);
+  EXPECT_NE(message("41", "0").find("announces 41 of 'vertex', more"), std::string::npos);
+  EXPECT_NE(message("40", "9223372036854775808").find("of 'face', more"), std::string::npos);
+}
+
+TEST(Ply, MakesNoRoomForMoreTrianglesThanTheFileCanHold)
+{
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + kXyz +
+    "element face 1\nproperty list ushort uchar vertex_indices\nend_header\n" +
+    std::string(36, '\0') + "\x88\x13" + std::string(5000, '\0');
+  const TriMesh mesh = parse(bytes);
+  EXPECT_EQ(mesh.triangles.size(), 4998U);
+  EXPECT_LE(mesh.triangles.capacity(), 5000U);
+}
+
+TEST(Ply, RefusesASecondListOfPoints)
+{
+  const std::string twice = "element vertex 1\n" + kXyz + "element vertex 1\n" + kXyz;
+  EXPECT_EQ(error(kAscii + twice + "end_header\n0 0 0\n1 1 1\n"),
+    "file: line 7: a second element 'vertex'; only one list of points can be read");
+}
+
 TEST(Ply, CountsUnusableCoordinates)
 {
   const std::string text = kAscii + "element vertex 2\n" + kXyz + "end_header\n1 2 3\n1 -nan 3\n";
