@@ -18,7 +18,7 @@ endforeach()
 add_library(scan_build_flags INTERFACE)
 target_compile_options(scan_build_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
-  -Wno-maybe-uninitialized # GCC 12 is wrong about std::variant
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> # GCC 12 is wrong about std::variant
   -ffp-contract=off # the same bytes on machines with and without FMA
   $<$<BOOL:${SCAN_WARNINGS_AS_ERRORS}>:-Werror>)
 if(SCAN_SANITIZE)

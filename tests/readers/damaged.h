@@ -4,31 +4,16 @@
 
 #include "filters/geometry/model.h"
 #include "tests/readers/parsing.h"
+#include "tests/readers/usable.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace scan::test
 {
 
 using ModelParser = Model (*)(std::span<const char>, std::string_view, Execution&);
-
-inline bool isUsable(const Model& model)
-{
-  const auto isFinite = [](const Vec3& p)
-  { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
-  const auto hasCorners = [&](const Triangle& t) {
-    return std::max({ t[0], t[1], t[2] }) < model.points.size();
-  };
-  return std::all_of(model.points.begin(), model.points.end(), isFinite) &&
-    std::all_of(model.normals.begin(), model.normals.end(), isFinite) &&
-    std::all_of(model.triangles.begin(), model.triangles.end(), hasCorners) &&
-    (model.colors.empty() || model.colors.size() == model.points.size()) &&
-    (model.normals.empty() || model.normals.size() == model.points.size());
-}
 
 /// Fails the test when the bytes end in neither a usable model nor Error parse.
 inline void expectErrorOrModel(
