@@ -8,6 +8,7 @@
 #include "readers/point_attributes.h"
 #include "readers/text_scanner.h"
 
+#include <array>
 #include <charconv>
 #include <string>
 #include <system_error>
@@ -136,20 +137,25 @@ private:
     return stop != nullptr ? stop : at;
   }
 
-  /// @return behind the numbers; nullptr, with `at` at the word that is no number
-  const char* readThree(const char*& at, Vec3& values) const
+  /// @param[out] start the word that is no number, when there is one
+  /// @return behind the numbers, nullptr when there are not three
+  const char* readThree(const char*& start, Vec3& values) const
   {
     const char* const end = this->Text.end();
-    for (double* const value : { &values.x, &values.y, &values.z })
+    const char* at = start;
+    std::array<double, 3> numbers = {};
+    for (double& number : numbers)
     {
       at = skipGap(at, end);
-      const char* const stop = parseNumber(at, end, *value);
+      const char* const stop = parseNumber(at, end, number);
       if (stop == nullptr || !this->isWordEnd(stop))
       {
+        start = at;
         return nullptr;
       }
       at = stop;
     }
+    values = { numbers[0], numbers[1], numbers[2] };
     return at;
   }
 
@@ -262,8 +268,16 @@ private:
   {
     const std::size_t count = this->Mesh.points.size();
     const std::size_t normals = this->Mesh.normals.size();
+    // corners may leave out the last vertices
     const bool isComplete = this->Corners > 0 ? normals >= this->Corners : normals == count;
-    this->Mesh.normals.resize(this->HasPointNormals && isComplete && normals > 0 ? count : 0);
+    if (this->HasPointNormals && isComplete && normals > 0)
+    {
+      this->Mesh.normals.resize(count);
+    }
+    else
+    {
+      this->Mesh.normals = {};
+    }
   }
 
   const Source& Text;

@@ -8,6 +8,8 @@
 #include "readers/ply_header.h"
 #include "readers/ply_vertices.h"
 
+#include <algorithm>
+
 namespace scan
 {
 namespace
@@ -135,22 +137,41 @@ private:
       [&]
       {
         const char* const at = this->Values.position();
-        for (std::size_t p = 0; p < element.properties.size(); ++p)
-        {
-          const std::size_t place = vertices.places()[p];
-          if (place != PlyVertices::ignored)
-          {
-            values[place] = this->Values.real(element.properties[p].type);
-          }
-          else
-          {
-            this->skip(element.properties[p]);
-          }
-        }
+        this->readVertex(element, vertices, values);
         vertices.add(values);
         this->Check.see(this->Mesh.points.back(), at);
       });
     vertices.finish();
+  }
+
+  void readVertex(
+    const PlyElement& element, const PlyVertices& vertices, PlyVertices::Values& values)
+  {
+    if constexpr (Body::kHasRecords) // fast: nothing is looked at that is not wanted
+    {
+      const std::size_t size = vertices.recordSize();
+      if (size > 0 && this->Values.hasBytes(size))
+      {
+        for (const auto& [place, offset, type] : vertices.fields())
+        {
+          values[place] = this->Values.realAt(offset, type);
+        }
+        this->Values.advance(size);
+        return;
+      }
+    }
+    for (std::size_t p = 0; p < element.properties.size(); ++p)
+    {
+      const std::size_t place = vertices.places()[p];
+      if (place != PlyVertices::ignored)
+      {
+        values[place] = this->Values.real(element.properties[p].type);
+      }
+      else
+      {
+        this->skip(element.properties[p]);
+      }
+    }
   }
 
   void loadFaces(const PlyElement& element)
@@ -201,6 +222,18 @@ private:
 
   void loadPolygon(const PlyProperty& list)
   {
+    if constexpr (Body::kHasRecords) // fast: the usual triangle, checked as a whole
+    {
+      constexpr std::uint64_t kNegative = std::uint64_t(1) << 31U; // and above, if signed
+      Triangle corners = {};
+      if (this->Values.peekTriangle(list, corners) &&
+        std::max({ corners[0], corners[1], corners[2] }) < std::min(this->VertexCount, kNegative))
+      {
+        this->Values.advance(Body::kTriangleSize);
+        this->Mesh.triangles.push_back(corners);
+        return;
+      }
+    }
     const std::uint64_t length = this->listLength(list);
     Triangle fan = {};
     for (std::uint64_t i = 0; i < length; ++i)

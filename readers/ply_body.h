@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/geometry/mesh.h"
 #include "readers/ply_header.h"
 #include "readers/source.h"
 #include "readers/text_scanner.h"
@@ -23,6 +24,8 @@ namespace scan
 class PlyAsciiBody
 {
 public:
+  static constexpr bool kHasRecords = false; // of a size that the header gives
+
   PlyAsciiBody(const Source& source, std::size_t offset)
     : Text(source)
     , At(source.begin() + offset)
@@ -86,6 +89,9 @@ template <std::endian Order>
 class PlyBinaryBody
 {
 public:
+  static constexpr bool kHasRecords = true;
+  static constexpr std::size_t kTriangleSize = 13; // bytes
+
   PlyBinaryBody(const Source& source, std::size_t offset)
     : Data(source)
     , At(source.begin() + offset)
@@ -143,6 +149,54 @@ public:
     this->At += count * plySize(type);
   }
 
+  bool hasBytes(std::size_t count) const
+  {
+    return static_cast<std::size_t>(this->Data.end() - this->At) >= count;
+  }
+
+  /// Skips bytes that are there.
+  void advance(std::size_t count) { this->At += count; }
+
+  /// A value of the record at the position, which is in the file as a whole.
+  double realAt(std::size_t offset, PlyType type) const
+  {
+    const char* const at = this->At + offset;
+    switch (type)
+    {
+      case PlyType::int8:
+        return load<std::int8_t>(at);
+      case PlyType::uint8:
+        return load<std::uint8_t>(at);
+      case PlyType::int16:
+        return load<std::int16_t>(at);
+      case PlyType::uint16:
+        return load<std::uint16_t>(at);
+      case PlyType::int32:
+        return load<std::int32_t>(at);
+      case PlyType::uint32:
+        return load<std::uint32_t>(at);
+      case PlyType::float32:
+        return static_cast<double>(load<float>(at));
+      case PlyType::float64:
+        break;
+    }
+    return load<double>(at);
+  }
+
+  /// The corners of the list at the position, when it is as of most triangles: three indices of 32
+  /// bits behind a byte. The position stays.
+  bool peekTriangle(const PlyProperty& list, Triangle& corners) const
+  {
+    const bool is32 = list.type == PlyType::int32 || list.type == PlyType::uint32;
+    if (!is32 || list.countType != PlyType::uint8 || !this->hasBytes(kTriangleSize) ||
+      *this->At != 3)
+    {
+      return false;
+    }
+    corners = { load<Index>(this->At + 1), load<Index>(this->At + 5), load<Index>(this->At + 9) };
+    return true;
+  }
+
   std::uint64_t left(PlyType type) const
   {
     return static_cast<std::uint64_t>(this->Data.end() - this->At) / plySize(type);
@@ -164,17 +218,23 @@ private:
   template <class T>
   T take()
   {
-    if (this->Data.end() - this->At < static_cast<std::ptrdiff_t>(sizeof(T)))
+    if (!this->hasBytes(sizeof(T)))
     {
       this->failAtEnd();
     }
+    this->At += sizeof(T);
+    return load<T>(this->At - sizeof(T));
+  }
+
+  template <class T>
+  static T load(const char* at)
+  {
     char raw[sizeof(T)];
-    std::memcpy(raw, this->At, sizeof(T));
+    std::memcpy(raw, at, sizeof(T));
     if constexpr (Order != std::endian::native)
     {
       std::reverse(raw, raw + sizeof(T));
     }
-    this->At += sizeof(T);
     T value;
     std::memcpy(&value, raw, sizeof(T));
     return value;

@@ -16,6 +16,7 @@ PlyVertices::PlyVertices(const Source& source, const PlyElement& element, Model&
   }
   this->HasNormals = this->findGroup(element, { "nx", "ny", "nz" }, normal);
   this->HasColors = this->findColors(element);
+  this->layOut(element);
   const std::size_t total = this->Before + element.count;
   model.points.reserve(total);
   if (this->HasNormals)
@@ -65,6 +66,21 @@ bool PlyVertices::findColors(const PlyElement& element)
       this->HasRealColors || (isColor && (type == PlyType::float32 || type == PlyType::float64));
   }
   return hasColors;
+}
+
+void PlyVertices::layOut(const PlyElement& element)
+{
+  std::size_t offset = 0;
+  for (std::size_t i = 0; i < element.properties.size(); ++i)
+  {
+    const PlyProperty& property = element.properties[i];
+    if (this->Places[i] != ignored)
+    {
+      this->Fields.push_back({ this->Places[i], offset, property.type });
+    }
+    offset += plySize(property.type);
+  }
+  this->RecordSize = element.hasList() ? 0 : offset;
 }
 
 void PlyVertices::finish()

@@ -29,11 +29,24 @@ public:
 
   using Values = std::array<double, ignored>;
 
+  /// A property that is not ignored.
+  struct Field
+  {
+    std::size_t place = 0;
+    std::size_t offset = 0; ///< bytes ahead of it in a binary record
+    PlyType type = PlyType::float32;
+  };
+
   /// Throws Error parse when the element lacks x, y or z.
   PlyVertices(const Source& source, const PlyElement& element, Model& model);
 
   /// The places of the element's properties; lists are ignored.
   const std::vector<std::uint8_t>& places() const { return this->Places; }
+
+  const std::vector<Field>& fields() const { return this->Fields; }
+
+  /// Bytes of a binary record, 0 when there are lists in it.
+  std::size_t recordSize() const { return this->RecordSize; }
 
   void add(const Values& values)
   {
@@ -55,6 +68,7 @@ public:
 private:
   bool findGroup(const PlyElement& element, const std::array<const char*, 3>& names, Place place);
   bool findColors(const PlyElement& element);
+  void layOut(const PlyElement& element);
 
   void addColor(double red, double green, double blue)
   {
@@ -71,6 +85,8 @@ private:
   Model& Result;
   std::size_t Before; // points ahead of this element
   std::vector<std::uint8_t> Places;
+  std::vector<Field> Fields;
+  std::size_t RecordSize = 0;
   bool HasNormals = false;
   bool HasColors = false;
   bool HasRealColors = false; // not in bytes or other integers

@@ -145,7 +145,8 @@ bool isBroken(LineKind kind, bool isLettered)
 PointColumns findColumns(const char* at, const char* end, bool isLettered)
 {
   std::vector<FurtherColumns> lines;
-  while (at != end && lines.size() < kGuessPoints)
+  const char* const stop = at + std::min<std::ptrdiff_t>(end - at, kChunkBytes);
+  while (at < stop && lines.size() < kGuessPoints)
   {
     Vec3 ignored;
     const LineKind kind = readLine(at, end, ignored);

@@ -9,11 +9,12 @@
 namespace
 {
 
+using scan::Color;
+using scan::Model;
 using scan::Triangle;
-using scan::TriMesh;
 using scan::Vec3;
 
-TriMesh parse(std::string_view text)
+Model parse(std::string_view text)
 {
   return scan::test::parse(scan::parseObj, text);
 }
@@ -52,9 +53,53 @@ TEST(Obj, JoinsContinuedLines)
 
 TEST(Obj, ReadsAScanOfVerticesOnly)
 {
-  const TriMesh mesh = parse("# scan\r\nvn 0 0 1\r\nv 1 2 3 0.5 0.5 nan\r\np 1\r\nl 1 1\r\n");
+  const Model mesh = parse("# scan\r\nvn 0 0 1\r\nv 1 2 3 0.5 0.5 nan\r\np 1\r\nl 1 1\r\n");
   EXPECT_EQ(mesh.points, (std::vector<Vec3>{ { 1, 2, 3 } }));
   EXPECT_TRUE(mesh.triangles.empty());
+  EXPECT_TRUE(mesh.colors.empty());
+}
+
+TEST(Obj, ReadsColorsOfEitherRange)
+{
+  using Colors = std::vector<Color>;
+  EXPECT_EQ(parse("v 0 0 0 1 0.5 0\nv 1 0 0 0 .004 1e0 # b\n").colors,
+    (Colors{ { 255, 128, 0 }, { 0, 1, 255 } }));
+  EXPECT_EQ(parse("v 0 0 0 1 0 0\r\nv 1 0 0 2 128 255\r\n").colors,
+    (Colors{ { 1, 0, 0 }, { 2, 128, 255 } }));
+  // a weight, a comment and what is out of range are no colours
+  EXPECT_EQ(
+    parse("v 0 0 0\nv 0 0 0 1\nv 0 0 0 # 1 1 1\nv 0 0 0 1 0 \\\n0\nv 0 0 0 -1 0 0\n").colors,
+    (Colors{
+      { 255, 255, 255 }, { 255, 255, 255 }, { 255, 255, 255 }, { 255, 0, 0 }, { 255, 255, 255 } }));
+  EXPECT_TRUE(parse("v 0 0 0 1\nv 0 0 0 red green blue\n").colors.empty());
+}
+
+TEST(Obj, KeepsNormalsOfPoints)
+{
+  const std::string normals = "vn 0 0 2\nvn 0 3 4\nvn 1 0 0\nvn 0 0 0\n";
+  const std::vector<Vec3> expected = { { 0, 0, 1 }, { 0, 0.6, 0.8 }, { 1, 0, 0 }, { 0, 0, 0 } };
+  EXPECT_EQ(parse(kSquare + normals + "f 1//1 2//2 3//3 4//4\n").normals, expected);
+  EXPECT_EQ(parse("f 1//1 2//2 3//3 4//4\n" + kSquare + normals).normals, expected);
+  EXPECT_EQ(parse(kSquare + normals + "f 1/9/1 2/8/2 -2//-2 -1/7/-1\n").normals, expected);
+  EXPECT_EQ(parse(normals + kSquare).normals, expected);
+  // fewer normals than points, for those of the faces
+  EXPECT_EQ(parse(kSquare + "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1//1 2//2 3//3\n").normals,
+    (std::vector<Vec3>{ { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 0 } }));
+}
+
+TEST(Obj, LeavesOutNormalsOfCorners)
+{
+  const std::string normals = "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 1 1\n";
+  for (const std::string faces : { "f 1//1 2//2 3//4\n", "f 1//1 2//2 3\n", "f 1//1 2/2 3//3\n",
+         "f 1/1/1 2//2 3//3/3\nf 1 2 3\n", "f 1//1 2//2 3//3\nvn 0 0 x\n" })
+  {
+    const Model model = parse(kSquare + normals + faces);
+    EXPECT_TRUE(model.normals.empty()) << faces;
+    EXPECT_FALSE(model.triangles.empty());
+  }
+  EXPECT_TRUE(parse(kSquare + "vn 0 0 1\nf 1//1 2//2 3//3\n").normals.empty());
+  EXPECT_TRUE(parse(kSquare + "vn 0 0 1\n").normals.empty()); // a scan
+  EXPECT_TRUE(parse(normals + kSquare + "f 1 2 3\n").normals.empty());
 }
 
 TEST(Obj, NamesTheLineOfAMissingVertex)

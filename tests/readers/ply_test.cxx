@@ -8,15 +8,17 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace
 {
 
+using scan::Color;
+using scan::Model;
 using scan::Triangle;
-using scan::TriMesh;
 using scan::Vec3;
 
-TriMesh parse(std::string_view text)
+Model parse(std::string_view text)
 {
   return scan::test::parse(scan::parsePly, text);
 }
@@ -90,12 +92,69 @@ TEST(Ply, ReadsBothByteOrdersAndSkipsTheRest)
 {
   for (const bool isBig : { false, true })
   {
-    const TriMesh mesh = parse(binaryFile(isBig));
+    const Model mesh = parse(binaryFile(isBig));
     const std::vector<Vec3> points = { { 0.1, -0.5, 0 }, { 1.1, 0.5, -300 }, { 2.1, 1.5, -600 } };
     EXPECT_EQ(mesh.points, points);
     const std::vector<Triangle> triangles = { { 0, 1, 2 }, { 2, 1, 0 } };
     EXPECT_EQ(mesh.triangles, triangles);
+    EXPECT_TRUE(mesh.colors.empty()); // of red alone
   }
+}
+
+TEST(Ply, ReadsColorsAndNormalsOfBothByteOrders)
+{
+  for (const bool isBig : { false, true })
+  {
+    std::string bytes = std::string("ply\nformat binary_") + (isBig ? "big" : "little") +
+      "_endian 1.0\nelement vertex 2\nproperty double nx\nproperty uchar blue\n" + kXyz +
+      "property float ny\nproperty uchar alpha\nproperty uchar red\nproperty int nz\n"
+      "property uchar green\nend_header\n";
+    for (const int i : { 0, 1 })
+    {
+      append<double>(bytes, 3.0 * i, isBig);
+      append<std::uint8_t>(bytes, static_cast<std::uint8_t>(30 + i), isBig);
+      for (const int axis : { 1, 2, 3 })
+      {
+        append<float>(bytes, static_cast<float>(axis + i), isBig);
+      }
+      append<float>(bytes, 0.0F, isBig);
+      append<std::uint8_t>(bytes, 99, isBig);
+      append<std::uint8_t>(bytes, static_cast<std::uint8_t>(10 + i), isBig);
+      append<std::int32_t>(bytes, -4 * i, isBig);
+      append<std::uint8_t>(bytes, static_cast<std::uint8_t>(200 + i), isBig);
+    }
+    const Model model = parse(bytes);
+    EXPECT_EQ(model.points, (std::vector<Vec3>{ { 1, 2, 3 }, { 2, 3, 4 } }));
+    EXPECT_EQ(model.colors, (std::vector<Color>{ { 10, 200, 30 }, { 11, 201, 31 } }));
+    EXPECT_EQ(model.normals, (std::vector<Vec3>{ { 0, 0, 0 }, { 0.6, 0, -0.8 } }));
+    EXPECT_NE(error(bytes.substr(0, bytes.size() - 1)).find("truncated"), std::string::npos);
+  }
+}
+
+TEST(Ply, ReadsColorsOfEveryRange)
+{
+  const auto colors = [](const std::string& type, const std::string& prefix, std::string_view first,
+                        std::string_view second)
+  {
+    std::string text = kAscii + "element vertex 2\n" + kXyz;
+    for (const char* const name : { "red", "green", "blue" })
+    {
+      text.append("property ").append(type).append(" ").append(prefix).append(name).append("\n");
+    }
+    text.append("end_header\n1 2 3 ").append(first).append("\n1 2 3 ").append(second);
+    return parse(text).colors;
+  };
+  using Colors = std::vector<Color>;
+  EXPECT_EQ(
+    colors("uchar", "diffuse_", "1 0 1", "0 255 9"), (Colors{ { 1, 0, 1 }, { 0, 255, 9 } }));
+  EXPECT_EQ(colors("uchar", "", "1 0 1", "0 1 0"), (Colors{ { 1, 0, 1 }, { 0, 1, 0 } }));
+  EXPECT_EQ(
+    colors("float", "", "1 0 1", "0 0.5 0.502"), (Colors{ { 255, 0, 255 }, { 0, 128, 128 } }));
+  EXPECT_EQ(colors("double", "", "1 0 1", "0 255 9.4"), (Colors{ { 1, 0, 1 }, { 0, 255, 9 } }));
+  EXPECT_EQ(colors("float", "", "nan 0 1", "0 1 0"), (Colors{ { 255, 255, 255 }, { 0, 255, 0 } }));
+  EXPECT_EQ(
+    colors("int", "", "-1 0 1", "0 256 0"), (Colors{ { 255, 255, 255 }, { 255, 255, 255 } }));
+  EXPECT_TRUE(colors("float", "", "nan 0 1", "0 -1 0").empty());
 }
 
 TEST(Ply, TurnsPolygonsIntoFans)
@@ -122,7 +181,7 @@ TEST(Ply, UnrollsStrips)
 TEST(Ply, AcceptsCarriageReturns)
 {
   std::string text = kAscii + kSquare + "4 0 1 2 3\n";
-  const TriMesh expected = parse(text);
+  const Model expected = parse(text);
   std::replace(text.begin(), text.end(), '\n', '\r');
   EXPECT_EQ(parse(text).points, expected.points);
   for (std::size_t at = 0; (at = text.find('\r', at)) != text.npos; at += 2)
@@ -162,6 +221,23 @@ TEST(Ply, RefusesIndicesWithoutAVertex)
     "file: line 14: a face refers to vertex 4, but there are 4, counted from 0");
   EXPECT_NE(error(kAscii + kSquare + "3 0 1 -1\n").find("vertex -1"), std::string::npos);
   EXPECT_NE(error(kAscii + kSquare + "3 0 1 1.5\n").find("integer"), std::string::npos);
+}
+
+TEST(Ply, RefusesIndicesWithoutAVertexInBinaryFacesToo)
+{
+  for (const std::int32_t corner : { 3, -1, std::numeric_limits<std::int32_t>::min() })
+  {
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + kXyz +
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    bytes.append(36, '\0');
+    bytes += '\3';
+    for (const std::int32_t value : { 0, 1, corner })
+    {
+      append<std::int32_t>(bytes, value, false);
+    }
+    const std::string what = "a face refers to vertex " + std::to_string(corner) + ", but there";
+    EXPECT_NE(error(bytes).find(what), std::string::npos) << error(bytes);
+  }
 }
 
 TEST(Ply, BoundsEveryCountByTheFile)

@@ -6,12 +6,27 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace
 {
 
+using scan::Color;
+using scan::Model;
 using scan::Vec3;
+
+Model parse(std::string_view text, unsigned threads = 1)
+{
+  return scan::test::parse(scan::parsePointsText, text, threads);
+}
+
+/// Whether the text has points, and neither colours nor normals.
+bool hasOnlyPoints(std::string_view text)
+{
+  const Model model = parse(text);
+  return !model.points.empty() && model.colors.empty() && model.normals.empty();
+}
 
 std::vector<Vec3> points(std::string_view text)
 {
@@ -72,6 +87,79 @@ TEST(PointsText, IgnoresFurtherColumns)
   EXPECT_EQ(points("1 2.5 -3\t# first\n4 5 6e-3 // second\n"), kTwo);
 }
 
+TEST(PointsText, ReadsColorsOfSixColumns)
+{
+  const std::vector<Color> colors = { { 1, 2, 3 }, { 0, 255, 10 } };
+  EXPECT_EQ(parse("1 2.5 -3 1 2 3\n4 5 6e-3 0 255 10\n").colors, colors);
+  EXPECT_EQ(parse("//X,Y,Z,R,G,B\r\n1,2.5,-3,1.0,2.0,3.0,\r\n4,5,6e-3,0,255,1e1,").colors, colors);
+  EXPECT_EQ(parse("2\n1 2.5 -3 1 2 3 # a\n\n4 5 6e-3\t0\t255\t10").points, kTwo);
+  EXPECT_EQ(parse("p 1 2.5 -3 1 2 3\ns 1 1 1\np 4 5 6e-3 0 255 10\n").colors, colors);
+}
+
+TEST(PointsText, ReadsNormalsOfSixColumns)
+{
+  const Model model = parse("1 2.5 -3 0 1 0\n4 5 6e-3 -.59 .0 .81\n0 0 0 0 0 0\n");
+  ASSERT_EQ(model.normals.size(), 3U);
+  EXPECT_EQ(model.normals[0], (Vec3{ 0, 1, 0 }));
+  EXPECT_DOUBLE_EQ(dot(model.normals[1], model.normals[1]), 1.0);
+  EXPECT_EQ(model.normals[2], (Vec3{ 0, 0, 0 }));
+  EXPECT_TRUE(model.colors.empty());
+  EXPECT_EQ(parse("0 0 0 0 0 1\n1 1 1 1 0 0\n").normals.size(), 2U); // rather than nearly black
+}
+
+TEST(PointsText, ReadsColorsOfSevenColumns)
+{
+  const std::vector<Color> colors = { { 1, 2, 3 }, { 0, 255, 10 } };
+  EXPECT_EQ(parse("1 2 3 -0.5 1 2 3\n1 2 3 4095 0 255 10\n").colors, colors);
+  EXPECT_EQ(parse("1 2 3 50 1 2 3\n1 2 3 60 0 255 10\n").colors, colors);
+  EXPECT_EQ(parse("1 2 3 1 2 3 255\n1 2 3 0 255 10 255\n").colors, colors); // with an opacity
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 50 60 255 255\n1 2 3 60 70 255 255\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 0 0 1 0.7\n1 2 3 0 1 0 9.5\n"));
+}
+
+TEST(PointsText, ReadsColorsAheadOfNormals)
+{
+  const Model model = parse("1 2 3 1 2 3 0 0 1\n1 2 3 0 255 10 0 0 0\n");
+  EXPECT_EQ(model.colors, (std::vector<Color>{ { 1, 2, 3 }, { 0, 255, 10 } }));
+  EXPECT_EQ(model.normals, (std::vector<Vec3>{ { 0, 0, 1 }, { 0, 0, 0 } }));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 1 2 3 0 0 1\n1 2 3 0 255 10 0 0 3\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 1 2 3 0 0 1\n1 2 3 0 256 10 0 0 1\n"));
+}
+
+TEST(PointsText, GuessesNothing)
+{
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 4\n4 5 6 255\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 4 5\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 0 0 0\n4 5 6 0 0 0\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 0.5 0.5 0.5\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 10 20 30.5\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 10 20 300\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 10 20 -1\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 a b c\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 a 1 2 3 4 5\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 1 2 3 4 5\n"));
+  EXPECT_TRUE(hasOnlyPoints("1 2 3 1 2 3 0 0 1 7\n"));
+  EXPECT_TRUE(hasOnlyPoints("1,2,3,,,1,,2\n"));
+}
+
+TEST(PointsText, MakesPointsWithoutAColorWhite)
+{
+  constexpr Color kWhite = { 255, 255, 255 };
+  std::string text = "1 2 3\n1 2 3 nan 1 2\n1 2 3 4 5\n1 2 3 # 7 8 9\n";
+  for (int i = 0; i < 1000; ++i)
+  {
+    text += "1 2 3 4 5 6\n";
+  }
+  text += "1 2 3 256 0 0\n1 2 3 4 5.5 6\n1 2 3 4 5\n1 2 3 9 8 7 6\n";
+  const std::vector<Color> colors = parse(text).colors;
+  ASSERT_EQ(colors.size(), 1008U);
+  EXPECT_EQ(std::count(colors.begin(), colors.end(), kWhite), 7);
+  EXPECT_EQ(colors[4], (Color{ 4, 5, 6 }));
+  EXPECT_EQ(colors.back(), (Color{ 9, 8, 7 }));
+  const Model model = parse("1 2 3 0 0 1\n1 2 3\n1 2 3 nan 0 0\n");
+  EXPECT_EQ(model.normals, (std::vector<Vec3>{ { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 0 } }));
+}
+
 TEST(PointsText, ReadsLetteredLists)
 {
   EXPECT_EQ(points("# a\nd 0 0 0\ng 1 0 0\np 1 2.5 -3\ns 1 1 1\np 4 5 6e-3\n"), kTwo);
@@ -123,6 +211,25 @@ TEST(PointsText, IsTheSameForAnyNumberOfThreads)
   const scan::TriMesh one = scan::test::parse(scan::parsePointsText, text, 1);
   ASSERT_EQ(one.points.size(), 150000U);
   EXPECT_EQ(one.points, scan::test::parse(scan::parsePointsText, text, 2).points);
+}
+
+TEST(PointsText, HasTheSameAttributesForAnyNumberOfThreads)
+{
+  std::string text;
+  for (int i = 0; i < 100000; ++i)
+  {
+    text += std::to_string(i) + " 2 3 " + std::to_string(i % 256) + " 0 " +
+      (i % 7 == 0      ? "\n"
+          : i % 2 == 0 ? "9 0 0.6 -0.8\n"
+                       : "9 1 0 0\n");
+  }
+  const Model one = parse(text, 1);
+  const Model four = parse(text, 4);
+  ASSERT_EQ(one.colors.size(), 100000U);
+  ASSERT_EQ(one.normals.size(), 100000U);
+  EXPECT_EQ(one.colors[65537], (Color{ 65537 % 256, 0, 9 }));
+  EXPECT_EQ(one.colors, four.colors);
+  EXPECT_EQ(one.normals, four.normals);
 }
 
 TEST(PointsText, NamesALineFarDownTheFile)

@@ -203,6 +203,46 @@ TEST(SharedFiles, JoinTheRangeGridOfAScanTowardsTheScanner)
   EXPECT_GT(static_cast<double>(facing), 0.999 * static_cast<double>(mesh.triangles.size()));
 }
 
+TEST(SharedFiles, HaveTheirColorsAndNormals)
+{
+  struct Expected
+  {
+    scan::test::Parser parser;
+    const char* file;
+    bool hasColors;
+    bool hasNormals;
+  };
+  const Expected rows[] = {
+    { kPly, "01_points/cgal/ball.ply", false, true },
+    { kText, "01_points/cgal/cube.pwn", false, true },
+    { kText, "01_points/cgal/fin90_with_PCA_normals.xyz", false, true },
+    { kPly, "01_points/cgal/hippo1.ply", false, true },
+    { kText, "01_points/cgal/kitten.xyz", false, true },
+    { kText, "01_points/cgal/half.xyz", false, false },
+    { kText, "01_points/cgal/oni.pwn", false, true },
+    { kText, "01_points/trimesh/points_cloudcompare.xyz", true, false },
+    { kPly, "02_range_scans/stanford_bunny/data/bun000.ply", false, false },
+    { kPly, "05_meshes/assimp/Wuson.ply", false, true },
+    { kPly, "05_meshes/trimesh/cycloidal.ply", true, false },
+    { kPly, "08_deviation/metro/knot_orig_metro.ply", true, false },
+    { kPly, "09_bad/assimp/points.ply", true, true },
+    { kObj, "09_bad/trimesh/nancolor.obj", true, false },
+    { kObj, "09_bad/trimesh/singlevn.obj", false, false },
+  };
+  for (const auto& [parser, file, hasColors, hasNormals] : rows)
+  {
+    if (!std::filesystem::exists(kFolder + file))
+    {
+      GTEST_SKIP() << kFolder << file << " is missing";
+    }
+    const Model model = load(parser, file);
+    EXPECT_EQ(model.colors.size(), hasColors ? model.points.size() : 0) << file;
+    EXPECT_EQ(model.normals.size(), hasNormals ? model.points.size() : 0) << file;
+  }
+  EXPECT_EQ(load(kText, "01_points/trimesh/points_cloudcompare.xyz").colors.front(),
+    (scan::Color{ 117, 73, 49 }));
+}
+
 TEST(SharedFiles, HoldTheSameSurfaceInEveryFormat)
 {
   if (!std::filesystem::exists(kFolder + "05_meshes/assimp/Wuson.stl"))

@@ -16,6 +16,7 @@
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkSphereSource.h>
@@ -23,6 +24,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace
 {
@@ -125,6 +127,44 @@ TEST(WrittenFile, IsReadByVtkToo)
   }
   expectReadable<vtkScanObjWriter, vtkScanObjReader, vtkOBJReader>(
     folder.file("a.obj"), Encoding::ascii, 0.0);
+}
+
+TEST(WrittenFile, HasColorsAndNormalsForVtkToo)
+{
+  const TemporaryFolder folder;
+  scan::Model model{ scan::test::bentStrip(20) };
+  for (std::uint8_t i = 0; i < 40; ++i)
+  {
+    model.colors.push_back({ i, static_cast<std::uint8_t>(255 - i), 7 });
+    const double angle = 0.1 * i;
+    model.normals.push_back({ 0.0, std::cos(angle), std::sin(angle) });
+  }
+  for (const Encoding encoding : { Encoding::binary, Encoding::ascii })
+  {
+    scan::Execution execution;
+    scan::OutputFile file(folder.file("a.ply"));
+    scan::writePly(model, { .encoding = encoding }, file, execution);
+    file.commit();
+    vtkNew<vtkPLYReader> reader;
+    reader->SetFileName(folder.file("a.ply").c_str());
+    reader->Update();
+    vtkDataArray* const colors = reader->GetOutput()->GetPointData()->GetArray("RGB");
+    vtkDataArray* const normals = reader->GetOutput()->GetPointData()->GetNormals();
+    ASSERT_NE(colors, nullptr);
+    ASSERT_NE(normals, nullptr);
+    ASSERT_EQ(colors->GetNumberOfTuples(), 40);
+    for (std::size_t i = 0; i < 40; ++i)
+    {
+      const double* const color = colors->GetTuple3(static_cast<vtkIdType>(i));
+      const scan::Color found = { static_cast<std::uint8_t>(color[0]),
+        static_cast<std::uint8_t>(color[1]), static_cast<std::uint8_t>(color[2]) };
+      EXPECT_EQ(found, model.colors[i]);
+      const double* const normal = normals->GetTuple3(static_cast<vtkIdType>(i));
+      EXPECT_NEAR(normal[0], model.normals[i].x, 1e-7); // VTK reads floats
+      EXPECT_NEAR(normal[1], model.normals[i].y, 1e-7);
+      EXPECT_NEAR(normal[2], model.normals[i].z, 1e-7);
+    }
+  }
 }
 
 TEST(VtkScanReader, GivesScansAVertexPerPoint)
