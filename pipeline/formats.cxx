@@ -8,12 +8,12 @@
 #include "readers/digibotics.h"
 #include "readers/gltf.h"
 #include "readers/las.h"
+#include "readers/legacy_vtk.h"
 #include "readers/obj.h"
 #include "readers/off.h"
 #include "readers/pcd.h"
 #include "readers/ply.h"
 #include "readers/points_text.h"
-#include "readers/polydata.h"
 #include "readers/pts.h"
 #include "readers/ptx.h"
 #include "readers/stl.h"
@@ -24,6 +24,7 @@
 #include "readers/vtkScanDigiboticsReader.h"
 #include "readers/vtkScanGltfReader.h"
 #include "readers/vtkScanLasReader.h"
+#include "readers/vtkScanLegacyVtkReader.h"
 #include "readers/vtkScanObjReader.h"
 #include "readers/vtkScanOffReader.h"
 #include "readers/vtkScanPcdReader.h"
@@ -34,6 +35,7 @@
 #include "readers/vtkScanStlReader.h"
 #include "readers/vtkScanThreemfReader.h"
 #include "readers/vtkScanVtpReader.h"
+#include "readers/vtp.h"
 #include "writers/vtkScanAutodesk3dsWriter.h"
 #include "writers/vtkScanDxfWriter.h"
 #include "writers/vtkScanGlbWriter.h"
@@ -253,7 +255,7 @@ const std::vector<Format>& formats()
       .extensions = { "vtk" },
       .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
       .looksLike = looksLikeLegacyVtk,
-      .makeReader = makeReader<vtkScanVtpReader> },
+      .makeReader = makeReader<vtkScanLegacyVtkReader> },
     { .name = "LAS",
       .extensions = { "las" },
       .reads = { .points = true,

@@ -5,7 +5,7 @@
 #include "filters/base/vtkScanMeshBridge.h"
 #include "readers/coordinate_check.h"
 #include "readers/isolated_run.h"
-#include "readers/polydata.h"
+#include "readers/vtp.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -13,12 +13,10 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkScanVtpReader);
@@ -77,22 +75,6 @@ vtkSmartPointer<vtkPolyData> readXml(const scan::Source& source, const scan::Rep
   return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> readLegacy(
-  const scan::Source& source, const scan::ReportFraction& report)
-{
-  if (source.bytes.size() > std::numeric_limits<int>::max() - 1U)
-  {
-    throw scan::Error(scan::ErrorCode::limit,
-      std::string(source.name) + ": legacy VTK files of 2 GB cannot be read; write it as .vtp");
-  }
-  vtkNew<vtkPolyDataReader> reader;
-  forwardProgress(*reader, report);
-  reader->ReadFromInputStringOn();
-  reader->SetBinaryInputString(source.begin(), static_cast<int>(source.bytes.size()));
-  reader->Update();
-  return reader->GetOutput();
-}
-
 bool isUsable(const scan::Vec3& p)
 {
   const double largest = std::max({ std::abs(p.x), std::abs(p.y), std::abs(p.z) });
@@ -119,8 +101,7 @@ scan::Model modelIn(const scan::Source& source, const scan::ReportFraction& repo
   vtkNew<FirstError> error;
   vtkOutputWindow::SetInstance(error);
   vtkObject::GlobalWarningDisplayOn();
-  const vtkSmartPointer<vtkPolyData> data =
-    scan::looksLikeLegacyVtk(source.bytes) ? readLegacy(source, report) : readXml(source, report);
+  const vtkSmartPointer<vtkPolyData> data = readXml(source, report);
   if (!error->IsEmpty())
   {
     source.fail(error->Words());
@@ -151,10 +132,11 @@ scan::Model vtkScanVtpReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
   const scan::Source source{ name, bytes };
-  if (!scan::looksLikeVtp(bytes) && !scan::looksLikeLegacyVtk(bytes))
+  if (!scan::looksLikeVtp(bytes))
   {
-    source.fail("neither XML PolyData of VTK nor a legacy VTK file; write the file again");
+    source.fail("not XML PolyData of VTK: its first element is not VTKFile of that type");
   }
+  scan::checkVtp(source);
   return scan::runIsolated([&](const scan::ReportFraction& report)
     { return modelIn(source, report); },
     std::string(name) + ": VTK cannot read the content; write the file again", execution);

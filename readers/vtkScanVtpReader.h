@@ -4,15 +4,15 @@
 
 #include "readers/vtkScanReader.h"
 
-/// Reads the points and faces of VTK's own files: XML PolyData, .vtp, and legacy .vtk files of
-/// PolyData, by VTK's readers in a process of its own, which a cancel ends within 0.1 s.
+/// Reads the points and faces of VTK XML PolyData, .vtp, by VTK's reader in a process of its own,
+/// which a cancel ends within 0.1 s.
 ///
 /// Polygons become fans, strips triangles; vertices and lines are left out. Colours, normals and
 /// the unit come from the arrays that vtkScanVtpWriter writes; other arrays are left out.
 ///
-/// Error parse, with VTK's words, for a file that is malformed, of another kind of data or without
-/// points, for faces that name a point that is not there, and for coordinates that are not finite
-/// or exceed 1e50; Error limit for legacy files of 2 GB.
+/// Error parse, with VTK's words, for a file that is malformed, cut off or without points, for
+/// faces that name a point that is not there, and for coordinates that are not finite or exceed
+/// 1e50.
 class SCANREADERS_EXPORT vtkScanVtpReader : public vtkScanReader
 {
 public:

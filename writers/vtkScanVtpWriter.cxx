@@ -96,6 +96,11 @@ void vtkScanVtpWriter::WriteData()
       {
         throw scan::Error(scan::ErrorCode::badParameter, "no file name or no input to write");
       }
+      if (input->GetNumberOfPoints() == 0)
+      {
+        throw scan::Error(
+          scan::ErrorCode::badInput, std::string(this->FileName) + ": no points to write");
+      }
       execution.plan({ { "write", 1.0 } });
       execution.step("write", 0, 2);
       scan::OutputFile file(this->FileName);

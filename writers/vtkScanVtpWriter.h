@@ -9,7 +9,8 @@
 
 /// Writes a vtkPolyData as VTK XML PolyData, .vtp, with all its cells and arrays, exactly: binary,
 /// compressed by zlib. The file appears under its name only when it is complete. FileName "-" is
-/// standard output. The same data give the same bytes.
+/// standard output. The same data give the same bytes. Data without
+/// points are Error badInput.
 class SCANWRITERS_EXPORT vtkScanVtpWriter
   : public vtkWriter
   , public vtkScanTask

@@ -54,6 +54,10 @@ TEST(FormatRegistry, ContentDecidesBeforeTheExtension)
   EXPECT_EQ(formatOf("scan", kPly), "PLY");
   EXPECT_EQ(formatOf("scan.dat", "1 2 3\n4 5 6\n"), "points as text");
   EXPECT_EQ(formatOf("scan.OBJ", "v 1 2 3\nv 4 5 6\n"), "OBJ");
+  EXPECT_EQ(formatOf("scan.dat", "ISO-10303-21;\nHEADER;\n"), "STEP");
+  EXPECT_EQ(formatOf("scan.dat", std::string(72, ' ') + "S      1\n"), "IGES");
+  EXPECT_EQ(formatOf("scan.dat", "# vtk DataFile Version 3.0\nt\nASCII\n"), "legacy VTK");
+  EXPECT_EQ(formatOf("scan.dat", "<VTKFile type=\"PolyData\">\n"), "VTK XML PolyData");
   EXPECT_EQ(formatOf("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\n"), "STL");
 }
 

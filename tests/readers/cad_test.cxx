@@ -5,7 +5,7 @@
 #include "filters/geometry/mesh_checks.h"
 #include "readers/mapped_file.h"
 #include "tests/readers/cad_parts.h"
-#include "tests/readers/damaged.h"
+#include "tests/readers/damage.h"
 #include "tests/readers/parsing.h"
 
 #include <gtest/gtest.h>
