@@ -272,7 +272,7 @@ TEST(Ply, MakesNoRoomForMoreTrianglesThanTheFileCanHold)
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + kXyz +
     "element face 1\nproperty list ushort uchar vertex_indices\nend_header\n" +
     std::string(36, '\0') + "\x88\x13" + std::string(5000, '\0');
-  const TriMesh mesh = parse(bytes);
+  const Model mesh = parse(bytes);
   EXPECT_EQ(mesh.triangles.size(), 4998U);
   EXPECT_LE(mesh.triangles.capacity(), 5000U);
 }
