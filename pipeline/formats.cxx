@@ -251,7 +251,7 @@ const std::vector<Format>& formats()
       .looksLike = looksLikeVtp,
       .makeReader = makeReader<vtkScanVtpReader>,
       .makeWriter = makeWriter<vtkScanVtpWriter> },
-    { .name = "VTK legacy PolyData",
+    { .name = "legacy VTK",
       .extensions = { "vtk" },
       .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
       .looksLike = looksLikeLegacyVtk,
