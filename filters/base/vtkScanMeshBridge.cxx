@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -137,6 +138,48 @@ bool appendTriangles(vtkCellArray& cells, vtkIdType pointCount, std::vector<Tria
                                 : append(cells.GetConnectivityArray32());
 }
 
+vtkSmartPointer<vtkCellArray> cellsOf(const Polylines& lines)
+{
+  vtkNew<vtkTypeInt64Array> offsets;
+  vtkNew<vtkTypeInt64Array> connectivity;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(lines.size() + 1));
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(lines.corners.size()));
+  vtkTypeInt64* const first = offsets->GetPointer(0);
+  first[0] = 0;
+  std::ranges::copy(lines.ends, first + 1);
+  std::ranges::copy(lines.corners, connectivity->GetPointer(0));
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+Polylines polylinesOf(vtkPolyData& data)
+{
+  Polylines lines;
+  forEachCell(*data.GetLines(), data.GetNumberOfPoints(),
+    [&](Cell corners)
+    {
+      std::ranges::transform(corners, std::back_inserter(lines.corners),
+        [](vtkIdType id) { return static_cast<Index>(id); });
+      lines.endLine();
+    });
+  return lines;
+}
+
+void setPoints(vtkPolyData& output, const std::vector<Vec3>& positions)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
+  if (!positions.empty())
+  {
+    std::memcpy(coordinates->GetPointer(0), positions.data(), sizeof(Vec3) * positions.size());
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  output.SetPoints(points);
+}
+
 vtkSmartPointer<vtkCellArray> vertexPerPoint(std::size_t count)
 {
   std::vector<std::array<Index, 1>> vertices(count);
@@ -221,17 +264,8 @@ std::vector<Segment> segmentsOf(vtkPolyData& data)
 
 void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> lines)
 {
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(mesh.points.size()));
-  if (!mesh.points.empty())
-  {
-    std::memcpy(coordinates->GetPointer(0), mesh.points.data(), sizeof(Vec3) * mesh.points.size());
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
   output.Initialize();
-  output.SetPoints(points);
+  setPoints(output, mesh.points);
   output.SetPolys(cellsOf<3>(mesh.triangles, mesh.points.size()));
   output.SetLines(cellsOf<2>(lines, mesh.points.size()));
   if (mesh.triangles.empty() && lines.empty())
@@ -242,7 +276,7 @@ void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> 
 
 Model modelOf(vtkPolyData& data)
 {
-  Model model{ meshOf(data) };
+  Model model{ meshOf(data), polylinesOf(data) };
   vtkPointData& attributes = *data.GetPointData();
   const auto tuple = [&](vtkDataArray* array, std::size_t i)
   {
@@ -281,7 +315,14 @@ Model modelOf(vtkPolyData& data)
 
 void setModel(vtkPolyData& output, const Model& model)
 {
-  setMesh(output, model);
+  output.Initialize();
+  setPoints(output, model.points);
+  output.SetPolys(cellsOf<3>(model.triangles, model.points.size()));
+  output.SetLines(cellsOf(model.curves));
+  if (model.isScan())
+  {
+    output.SetVerts(vertexPerPoint(model.points.size()));
+  }
   const auto count = static_cast<vtkIdType>(model.points.size());
   if (!model.colors.empty())
   {

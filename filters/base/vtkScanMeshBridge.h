@@ -33,11 +33,13 @@ std::vector<Segment> segmentsOf(vtkPolyData& data);
 /// are neither triangles nor segments every point gets a vertex, so that a scan can be seen.
 void setMesh(vtkPolyData& output, const TriMesh& mesh, std::span<const Segment> lines = {});
 
-/// Points and faces as meshOf(), with the colours, normals and unit that setModel() would set.
-/// @throws Error as meshOf()
+/// Points and faces as meshOf(), lines as curves, with the colours, normals and unit that
+/// setModel() would set.
+/// @throws Error as meshOf(), also for lines
 Model modelOf(vtkPolyData& data);
 
-/// Makes `output` the model: setMesh() and the arrays of vtkScanArrayNames.h for what it knows.
+/// Makes `output` the model: double points, triangles as polygons, curves as lines, a vertex per
+/// point of a scan, and the arrays of vtkScanArrayNames.h for what it knows.
 void setModel(vtkPolyData& output, const Model& model);
 
 /// The scan-point id of every point of `data`: its ScanPointId array, else 0, 1, 2, ...

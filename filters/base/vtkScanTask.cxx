@@ -48,6 +48,7 @@ int vtkScanTask::RunGuarded(
   vtkAlgorithm& self, vtkDataObject* output, const std::function<void(scan::Execution&)>& body)
 {
   self.SetAbortExecute(0);
+  this->Note.clear();
   const auto listener = [&self](std::string_view phase, double fraction)
   {
     self.SetProgressText(std::string(phase).c_str());
@@ -77,4 +78,9 @@ int vtkScanTask::RunGuarded(
   }
   vtkErrorWithObjectMacro(&self, << this->Outcome.message);
   return 0;
+}
+
+void vtkScanTask::AddNote(const std::string& text)
+{
+  this->Note += (this->Note.empty() || text.empty() ? "" : "; ") + text;
 }

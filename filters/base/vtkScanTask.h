@@ -41,6 +41,10 @@ public:
 
   const vtkScanOutcome& GetOutcome() const { return this->Outcome; }
 
+  /// One line on what the user should know about the last run, such as what was left out; empty
+  /// when all went as expected.
+  const std::string& GetNote() const { return this->Note; }
+
 protected:
   vtkScanTask() = default;
   virtual ~vtkScanTask() = default;
@@ -53,8 +57,12 @@ protected:
   int RunGuarded(
     vtkAlgorithm& self, vtkDataObject* output, const std::function<void(scan::Execution&)>& body);
 
+  /// Within the body: adds to the note of the run; an empty text adds nothing.
+  void AddNote(const std::string& text);
+
 private:
   scan::CancelToken Token;
   unsigned Threads = 0;
   vtkScanOutcome Outcome;
+  std::string Note;
 };

@@ -14,28 +14,6 @@ namespace scan
 namespace
 {
 
-void requireValidIndices(const TriMesh& mesh)
-{
-  if (mesh.triangles.size() >= kNone / 3 || mesh.points.size() >= kNone)
-  {
-    throw Error(ErrorCode::limit,
-      "mesh: more than 1,431,655,764 triangles or 4,294,967,294 points; work on parts of the "
-      "model");
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    for (const Index point : mesh.triangles[t])
-    {
-      if (point >= mesh.points.size())
-      {
-        throw Error(ErrorCode::badInput,
-          "mesh: triangle " + std::to_string(t) + " names point " + std::to_string(point) +
-            " but there are only " + std::to_string(mesh.points.size()) + " points");
-      }
-    }
-  }
-}
-
 /// Half-edges filed under the smaller end of their edge.
 struct Buckets
 {
@@ -158,9 +136,31 @@ private:
 
 } // namespace
 
+void requireCorners(const TriMesh& mesh)
+{
+  if (mesh.triangles.size() >= kNone / 3 || mesh.points.size() >= kNone)
+  {
+    throw Error(ErrorCode::limit,
+      "mesh: more than 1,431,655,764 triangles or 4,294,967,294 points; work on parts of the "
+      "model");
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const Index point : mesh.triangles[t])
+    {
+      if (point >= mesh.points.size())
+      {
+        throw Error(ErrorCode::badInput,
+          "mesh: triangle " + std::to_string(t) + " names point " + std::to_string(point) +
+            " but there are only " + std::to_string(mesh.points.size()) + " points");
+      }
+    }
+  }
+}
+
 EdgePairs pairEdges(const TriMesh& mesh, Execution& execution)
 {
-  requireValidIndices(mesh);
+  requireCorners(mesh);
   Buckets buckets = fileUnderSmallerEnd(mesh, execution);
   EdgePairs pairs;
   pairs.mate.assign(3 * mesh.triangles.size(), kNone);

@@ -30,6 +30,10 @@ inline bool isCollapsed(const Triangle& triangle)
   return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
+/// Throws Error badInput when a triangle names a missing point, and limit beyond 1.4 thousand
+/// million triangles.
+void requireCorners(const TriMesh& mesh);
+
 /// Who meets whom at the edges of a mesh, whatever the orientation of the triangles.
 struct EdgePairs
 {
@@ -47,8 +51,7 @@ struct EdgePairs
 };
 
 /// Finds the edges of a mesh in linear time; needs 12 bytes of result and 24 of scratch space a
-/// triangle. Throws Error badInput when a triangle names a missing point and limit beyond
-/// 1.4 thousand million triangles.
+/// triangle. Throws as requireCorners().
 EdgePairs pairEdges(const TriMesh& mesh, Execution& execution);
 EdgePairs pairEdges(const TriMesh& mesh); ///< on one thread
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scan
@@ -51,6 +53,43 @@ using Triangle = std::array<Index, 3>;
 
 /// An open or closed line: two indices into a point array.
 using Segment = std::array<Index, 2>;
+
+/// Lines through points, each as indices into a point array. A closed line ends with its first
+/// point.
+struct Polylines
+{
+  std::vector<Index> corners;    ///< of all lines, one after the other
+  std::vector<std::size_t> ends; ///< per line: where it ends in corners
+
+  bool empty() const { return this->ends.empty(); }
+  std::size_t size() const { return this->ends.size(); }
+
+  std::span<const Index> operator[](std::size_t line) const
+  {
+    const std::size_t begin = line > 0 ? this->ends[line - 1] : 0;
+    return { this->corners.data() + begin, this->corners.data() + this->ends[line] };
+  }
+
+  /// Makes a line of the corners behind the last one; fewer than two are dropped.
+  void endLine()
+  {
+    const std::size_t begin = this->empty() ? 0 : this->ends.back();
+    if (this->corners.size() < begin + 2)
+    {
+      this->corners.resize(begin);
+      return;
+    }
+    this->ends.push_back(this->corners.size());
+  }
+
+  friend bool operator==(const Polylines&, const Polylines&) = default;
+};
+
+/// Whether a line of Polylines is closed.
+inline bool isClosed(std::span<const Index> line)
+{
+  return line.front() == line.back();
+}
 
 /// Points and the triangles on them. Points without triangles are a scan; points that no triangle
 /// uses are allowed beside triangles.

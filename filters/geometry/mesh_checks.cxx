@@ -3,6 +3,7 @@
 #include "filters/geometry/mesh_checks.h"
 
 #include "filters/geometry/bounding_box.h"
+#include "filters/geometry/flat_triangles.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/union_find.h"
 
@@ -96,7 +97,8 @@ void Survey::measureTriangles()
     const double doubleArea = std::sqrt(dot(normal, normal));
     this->Report.area += 0.5 * doubleArea;
     sixVolumes += dot(a, cross(b, c));
-    this->Report.flatTriangles += doubleArea == 0.0 ? 1 : 0;
+    this->Report.flatTriangles +=
+      isFlat(points[corner[0]], points[corner[1]], points[corner[2]]) ? 1 : 0;
   }
   this->Report.volume = sixVolumes / 6.0;
 }

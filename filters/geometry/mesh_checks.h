@@ -42,7 +42,7 @@ struct MeshReport
   Index misorientedEdges = 0;    ///< edges whose even number of triangles is not half one way,
                                  ///< half the other
   Index collapsedTriangles = 0;  ///< name a point twice; ignored by everything but `triangles`
-  Index flatTriangles = 0;       ///< three points, area zero
+  Index flatTriangles = 0;       ///< three points on a line
 
   std::int64_t eulerCharacteristic = 0;    ///< points used - edges + triangles not collapsed
   std::optional<std::int64_t> genus;       ///< sum over the components where all have one

@@ -22,34 +22,26 @@ Segment side(const std::vector<Triangle>& triangles, std::size_t number)
 /// Per side the other one at an edge of exactly two, else kNone.
 std::vector<Index> sideMates(const std::vector<Triangle>& triangles, std::size_t pointCount)
 {
-  const auto lowerEnd = [&](std::size_t number)
-  {
-    const Segment s = side(triangles, number);
-    return std::min(s[0], s[1]);
-  };
-  const auto upperEnd = [&](std::size_t number)
-  {
-    const Segment s = side(triangles, number);
-    return std::max(s[0], s[1]);
-  };
+  const auto ends = [&](std::size_t number)
+  { return std::ranges::minmax(side(triangles, number)); };
   const Incidence sidesOf(pointCount, 3 * triangles.size(),
-    [&](std::size_t number, auto&& visit) { visit(lowerEnd(number)); });
+    [&](std::size_t number, auto&& visit) { visit(ends(number).min); });
   std::vector<Index> mates(3 * triangles.size(), kNone);
+  std::vector<Index> sides;
   for (Index point = 0; point < pointCount; ++point)
   {
-    for (const Index number : sidesOf.of(point))
+    const auto upper = [&](Index number) { return ends(number).max; };
+    sides.assign(sidesOf.of(point).begin(), sidesOf.of(point).end());
+    std::ranges::sort(sides, {}, upper);
+    for (auto first = sides.begin(); first != sides.end();)
     {
-      Index mate = kNone;
-      int others = 0;
-      for (const Index other : sidesOf.of(point))
+      const auto last = std::ranges::upper_bound(first, sides.end(), upper(*first), {}, upper);
+      if (last - first == 2)
       {
-        if (other != number && upperEnd(other) == upperEnd(number))
-        {
-          mate = other;
-          ++others;
-        }
+        mates[first[0]] = first[1];
+        mates[first[1]] = first[0];
       }
-      mates[number] = others == 1 ? mate : kNone;
+      first = last;
     }
   }
   return mates;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/mesh_split.h"
 
-#include "filters/geometry/half_edges.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace scan
 {
@@ -40,9 +39,9 @@ struct Sheet
 class Splitter
 {
 public:
-  Splitter(TriMesh mesh, Execution& execution)
+  Splitter(TriMesh mesh, EdgePairs pairs, Execution& execution)
     : Run(execution)
-    , Pairs(pairEdges(mesh, execution))
+    , Pairs(std::move(pairs))
     , Twin(std::move(Pairs.mate))
   {
     this->Result.mesh = std::move(mesh);
@@ -341,6 +340,7 @@ SplitResult Splitter::run()
   {
     this->separateSheets(this->crowded(edge));
   }
+  this->Result.mate = std::move(this->Twin);
   return std::move(this->Result);
 }
 
@@ -348,7 +348,13 @@ SplitResult Splitter::run()
 
 SplitResult splitNonManifold(TriMesh mesh, Execution& execution)
 {
-  return Splitter(std::move(mesh), execution).run();
+  EdgePairs pairs = pairEdges(mesh, execution);
+  return splitNonManifold(std::move(mesh), std::move(pairs), execution);
+}
+
+SplitResult splitNonManifold(TriMesh mesh, EdgePairs pairs, Execution& execution)
+{
+  return Splitter(std::move(mesh), std::move(pairs), execution).run();
 }
 
 } // namespace scan

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "filters/geometry/half_edges.h"
 #include "filters/geometry/mesh.h"
 
 #include <vector>
@@ -15,6 +16,7 @@ struct SplitResult
 {
   TriMesh mesh;
   std::vector<Index> pointOrigin; ///< per point of `mesh`: the input point that it copies
+  std::vector<Index> mate;        ///< per half-edge of `mesh`: its reverse; kNone at a boundary
   Index edgesSplit = 0;           ///< input edges that had too many or misoriented triangles
   Index verticesSplit = 0;        ///< input points that have copies now
 };
@@ -34,5 +36,8 @@ struct SplitResult
 ///
 /// Throws Error badInput for an index out of range. Linear time, 40 bytes of scratch a triangle.
 SplitResult splitNonManifold(TriMesh mesh, Execution& execution);
+
+/// The same for a mesh whose edges are known.
+SplitResult splitNonManifold(TriMesh mesh, EdgePairs pairs, Execution& execution);
 
 } // namespace scan

@@ -21,6 +21,23 @@ inline TriMesh tetrahedron()
     { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } } };
 }
 
+/// Adds a tetrahedron of a size about a point; hollow: facing inwards.
+inline void addTetrahedron(
+  TriMesh& mesh, double size, const scan::Vec3& centre, bool isHollow = false)
+{
+  const TriMesh piece = tetrahedron();
+  const auto first = static_cast<Index>(mesh.points.size());
+  for (const scan::Vec3& p : piece.points)
+  {
+    mesh.points.push_back((p - scan::Vec3{ 0.5, 0.5, 0.5 }) * size + centre);
+  }
+  for (const auto& [a, b, c] : piece.triangles)
+  {
+    mesh.triangles.push_back(isHollow ? scan::Triangle{ first + a, first + c, first + b }
+                                      : scan::Triangle{ first + a, first + b, first + c });
+  }
+}
+
 /// Two triangles of a unit square.
 inline TriMesh square()
 {

@@ -40,6 +40,7 @@ void expectFaithful(const TriMesh& input, const SplitResult& split)
   const MeshReport report = describeMesh(split.mesh);
   EXPECT_TRUE(report.isManifold) << report.nonManifoldEdges << ' ' << report.nonManifoldVertices;
   EXPECT_TRUE(report.isOriented);
+  EXPECT_EQ(split.mate, pairEdges(split.mesh).mate);
 }
 
 } // namespace

@@ -18,22 +18,6 @@ using scan::SolidBody;
 using scan::TriMesh;
 using scan::Vec3;
 
-/// A tetrahedron of a size about a point; hollow: facing inwards.
-void add(TriMesh& mesh, double size, const Vec3& centre, bool isHollow = false)
-{
-  const TriMesh piece = corpus::tetrahedron();
-  const auto first = static_cast<Index>(mesh.points.size());
-  for (const Vec3& p : piece.points)
-  {
-    mesh.points.push_back((p - Vec3{ 0.5, 0.5, 0.5 }) * size + centre);
-  }
-  for (const auto& [a, b, c] : piece.triangles)
-  {
-    mesh.triangles.push_back(isHollow ? scan::Triangle{ first + a, first + c, first + b }
-                                      : scan::Triangle{ first + a, first + b, first + c });
-  }
-}
-
 double volumeOf(const TriMesh& mesh)
 {
   double sum = 0.0;
@@ -55,8 +39,8 @@ std::vector<SolidBody> bodiesOf(const TriMesh& mesh)
 TEST(SolidBodies, AreThePieces)
 {
   TriMesh mesh;
-  add(mesh, 1.0, {});
-  add(mesh, 2.0, { 10, 0, 0 });
+  corpus::addTetrahedron(mesh, 1.0, {});
+  corpus::addTetrahedron(mesh, 2.0, { 10, 0, 0 });
   const auto bodies = bodiesOf(mesh);
   ASSERT_EQ(bodies.size(), 2U);
   EXPECT_NEAR(volumeOf(bodies[0].outer.mesh), 1.0 / 3.0, 1e-12);
@@ -68,11 +52,11 @@ TEST(SolidBodies, AreThePieces)
 TEST(SolidBodies, GiveAVoidToTheSmallestBodyAroundIt)
 {
   TriMesh mesh; // an onion: body, void, body in the void, void in that; another body beside
-  add(mesh, 1.0, {}, true);
-  add(mesh, 8.0, {});
-  add(mesh, 4.0, {}, true);
-  add(mesh, 2.0, {});
-  add(mesh, 1.5, { 20, 0, 0 });
+  corpus::addTetrahedron(mesh, 1.0, {}, true);
+  corpus::addTetrahedron(mesh, 8.0, {});
+  corpus::addTetrahedron(mesh, 4.0, {}, true);
+  corpus::addTetrahedron(mesh, 2.0, {});
+  corpus::addTetrahedron(mesh, 1.5, { 20, 0, 0 });
   const auto bodies = bodiesOf(mesh);
   ASSERT_EQ(bodies.size(), 3U);
   ASSERT_EQ(bodies[0].voids.size(), 1U);
@@ -85,7 +69,7 @@ TEST(SolidBodies, GiveAVoidToTheSmallestBodyAroundIt)
 TEST(SolidBodies, TurnAShellThatFacesInwardsInTheOpen)
 {
   TriMesh mesh;
-  add(mesh, 1.0, {}, true);
+  corpus::addTetrahedron(mesh, 1.0, {}, true);
   const auto bodies = bodiesOf(mesh);
   ASSERT_EQ(bodies.size(), 1U);
   EXPECT_NEAR(volumeOf(bodies[0].outer.mesh), 1.0 / 3.0, 1e-12);

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/flat_triangles.h"
+
+#include "filters/geometry/half_edges.h"
+#include "filters/geometry/union_find.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+namespace scan
+{
+namespace
+{
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 exact(const Vec3& p)
+{
+  return { p.x, p.y, p.z };
+}
+
+double largest(const Vec3& v)
+{
+  return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+}
+
+std::uint64_t keyOf(Index a, Index b)
+{
+  const auto [low, high] = std::minmax(a, b);
+  return std::uint64_t{ low } << 32U | high;
+}
+
+class FlatRemover
+{
+public:
+  FlatRemover(TriMesh mesh, double leastHeight, Execution& execution)
+    : Run(execution)
+    , LeastHeight(leastHeight)
+    , Mesh(std::move(mesh))
+    , Origin(this->Mesh.triangles.size())
+  {
+    std::iota(this->Origin.begin(), this->Origin.end(), Index{ 0 });
+  }
+
+  FlatRemoval run()
+  {
+    // Cutting makes new equal corners at times. Each round leaves fewer points in use; those that a
+    // tolerance moves back and forth are given up.
+    int rounds = this->LeastHeight > 0.0 ? 20 : std::numeric_limits<int>::max();
+    for (std::vector<Index> flat = this->findFlat(); !flat.empty() && rounds > 0; --rounds)
+    {
+      this->mergeEqualCorners(flat);
+      this->dissolve(this->findFlat());
+      this->dropGone();
+      flat = this->findFlat();
+    }
+    return { std::move(this->Mesh), std::move(this->Origin), this->Cuts };
+  }
+
+private:
+  /// The corners of a flat triangle along its line.
+  struct Line
+  {
+    Index start;
+    Index middle;
+    Index end;
+  };
+
+  const Vec3& at(Index point) const { return this->Mesh.points[point]; }
+
+  bool isInOnePlace(Index a, Index b) const
+  {
+    const Vec3 apart = this->at(b) - this->at(a);
+    return dot(apart, apart) <= this->LeastHeight * this->LeastHeight &&
+      (this->LeastHeight > 0.0 || this->at(a) == this->at(b)); // squares may vanish
+  }
+
+  bool hasEqualCorners(const Triangle& t) const
+  {
+    const auto& [a, b, c] = t;
+    return this->isInOnePlace(a, b) || this->isInOnePlace(b, c) || this->isInOnePlace(c, a);
+  }
+
+  bool isFlatTriangle(const Triangle& t) const
+  {
+    const auto& [a, b, c] = t;
+    if (this->LeastHeight == 0.0)
+    {
+      return isFlat(this->at(a), this->at(b), this->at(c));
+    }
+    const Vec3 normal = cross(this->at(b) - this->at(a), this->at(c) - this->at(a));
+    const std::size_t k = this->oppositeLongest(t);
+    const Vec3 along = this->at(t[(k + 2) % 3]) - this->at(t[(k + 1) % 3]);
+    return dot(normal, normal) <= this->LeastHeight * this->LeastHeight * dot(along, along);
+  }
+
+  /// The corner opposite the longest edge.
+  std::size_t oppositeLongest(const Triangle& t) const
+  {
+    const auto squared = [&](std::size_t k)
+    {
+      const Vec3 along = this->at(t[(k + 2) % 3]) - this->at(t[(k + 1) % 3]);
+      return dot(along, along);
+    };
+    const std::size_t k = squared(1) > squared(0) ? 1 : 0;
+    return squared(2) > squared(k) ? 2 : k;
+  }
+
+  std::vector<Index> findFlat();
+  void mergeEqualCorners(std::span<const Index> flat);
+  void dissolve(std::span<const Index> flat);
+  void dissolveOne(Index number);
+  void fileEdges(Index number);
+  void dropGone();
+  Line lineOf(const Triangle& t) const;
+  void push(Index number);
+  void add(const Triangle& t, Index origin);
+  void cut(Index number, const Line& line);
+
+  Execution& Run;
+  double LeastHeight;
+  TriMesh Mesh;
+  std::vector<Index> Origin;
+  Index Cuts = 0;
+
+  std::vector<bool> IsGone;                             // per triangle
+  std::vector<bool> IsOnLine;                           // per point: a corner of a flat triangle
+  std::unordered_multimap<std::uint64_t, Index> ByEdge; // triangles at edges between such points
+  std::priority_queue<std::pair<double, Index>> Queue;  // flat triangles by their squared length
+};
+
+std::vector<Index> FlatRemover::findFlat()
+{
+  const std::vector<Triangle>& triangles = this->Mesh.triangles;
+  std::vector<std::uint8_t> isFlatOne(triangles.size());
+  this->Run.parallelFor(triangles.size(), std::size_t{ 1 } << 15U,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        isFlatOne[t] = this->isFlatTriangle(triangles[t]) ? 1 : 0;
+      }
+    });
+  std::vector<Index> flat;
+  for (Index t = 0; t < isFlatOne.size(); ++t)
+  {
+    if (isFlatOne[t] != 0)
+    {
+      flat.push_back(t);
+    }
+  }
+  return flat;
+}
+
+/// Corners of flat triangles in one place become one point; triangles that lose a corner go.
+void FlatRemover::mergeEqualCorners(std::span<const Index> flat)
+{
+  UnionFind sets(this->Mesh.points.size());
+  for (const Index number : flat)
+  {
+    const Triangle t = this->Mesh.triangles[number];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Index a = sets.root(t[k]);
+      const Index b = sets.root(t[(k + 1) % 3]);
+      if (a != b && this->isInOnePlace(a, b))
+      {
+        sets.join(std::min(a, b), std::max(a, b));
+      }
+    }
+  }
+  this->IsGone.assign(this->Mesh.triangles.size(), false);
+  for (std::size_t number = 0; number < this->Mesh.triangles.size(); ++number)
+  {
+    Triangle& t = this->Mesh.triangles[number];
+    std::ranges::transform(t, t.begin(), [&](Index corner) { return sets.root(corner); });
+    this->IsGone[number] = isCollapsed(t);
+  }
+  this->dropGone();
+}
+
+/// Takes flat triangles out, the longest first, so that what is cut becomes shorter and this ends.
+void FlatRemover::dissolve(std::span<const Index> flat)
+{
+  this->IsGone.assign(this->Mesh.triangles.size(), false);
+  this->IsOnLine.assign(this->Mesh.points.size(), false);
+  for (const Index number : flat)
+  {
+    for (const Index corner : this->Mesh.triangles[number])
+    {
+      this->IsOnLine[corner] = true;
+    }
+    this->push(number);
+  }
+  this->ByEdge.clear();
+  for (Index number = 0; number < this->Mesh.triangles.size() && !flat.empty(); ++number)
+  {
+    this->fileEdges(number);
+  }
+  std::size_t rest = 16 * (flat.size() + 64); // where rounding hides which of two is longer
+  for (; !this->Queue.empty() && rest > 0; --rest)
+  {
+    const Index number = this->Queue.top().second;
+    this->Queue.pop();
+    if (!this->IsGone[number])
+    {
+      this->dissolveOne(number);
+    }
+  }
+  for (; !this->Queue.empty(); this->Queue.pop())
+  {
+    this->IsGone[this->Queue.top().second] = true;
+  }
+}
+
+void FlatRemover::dissolveOne(Index number)
+{
+  this->IsGone[number] = true;
+  const Line line = this->lineOf(this->Mesh.triangles[number]);
+  std::vector<Index> neighbours;
+  const auto [begin, end] = this->ByEdge.equal_range(keyOf(line.start, line.end));
+  for (auto entry = begin; entry != end; ++entry)
+  {
+    if (!this->IsGone[entry->second])
+    {
+      neighbours.push_back(entry->second);
+    }
+  }
+  std::ranges::sort(neighbours); // the order of a hash table is nobody's promise
+  for (const Index neighbour : neighbours)
+  {
+    this->cut(neighbour, line);
+  }
+}
+
+void FlatRemover::fileEdges(Index number)
+{
+  const Triangle& t = this->Mesh.triangles[number];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Index a = t[k];
+    const Index b = t[(k + 1) % 3];
+    if (this->IsOnLine[a] && this->IsOnLine[b])
+    {
+      this->ByEdge.emplace(keyOf(a, b), number);
+    }
+  }
+}
+
+/// Forgets what is gone and puts the parts of a triangle in its place.
+void FlatRemover::dropGone()
+{
+  std::vector<Index> order;
+  for (Index number = 0; number < this->Mesh.triangles.size(); ++number)
+  {
+    if (!this->IsGone[number])
+    {
+      order.push_back(number);
+    }
+  }
+  std::ranges::stable_sort(order, {}, [&](Index number) { return this->Origin[number]; });
+  std::vector<Triangle> triangles;
+  std::vector<Index> origin;
+  for (const Index number : order)
+  {
+    triangles.push_back(this->Mesh.triangles[number]);
+    origin.push_back(this->Origin[number]);
+  }
+  this->Mesh.triangles = std::move(triangles);
+  this->Origin = std::move(origin);
+}
+
+FlatRemover::Line FlatRemover::lineOf(const Triangle& t) const
+{
+  const auto isBetween = [&](std::size_t k)
+  {
+    return CGAL::collinear_are_ordered_along_line(
+      exact(this->at(t[(k + 2) % 3])), exact(this->at(t[k])), exact(this->at(t[(k + 1) % 3])));
+  };
+  const std::size_t k = this->LeastHeight > 0.0 ? this->oppositeLongest(t)
+    : isBetween(0)                              ? 0
+    : isBetween(1)                              ? 1
+                                                : 2;
+  return { t[(k + 2) % 3], t[k], t[(k + 1) % 3] };
+}
+
+void FlatRemover::push(Index number)
+{
+  const Triangle& t = this->Mesh.triangles[number];
+  if (this->hasEqualCorners(t))
+  {
+    return; // for the next round
+  }
+  const Line line = this->lineOf(t);
+  const Vec3 along = this->at(line.end) - this->at(line.start);
+  this->Queue.emplace(dot(along, along), number);
+}
+
+void FlatRemover::add(const Triangle& t, Index origin)
+{
+  const auto number = static_cast<Index>(this->Mesh.triangles.size());
+  this->Mesh.triangles.push_back(t);
+  this->Origin.push_back(origin);
+  this->IsGone.push_back(isCollapsed(t));
+  if (!this->IsGone.back())
+  {
+    this->fileEdges(number);
+    if (this->isFlatTriangle(t))
+    {
+      this->push(number);
+    }
+  }
+}
+
+/// Makes two of a triangle that has the ends of the line as corners.
+void FlatRemover::cut(Index number, const Line& line)
+{
+  const Triangle t = this->Mesh.triangles[number];
+  this->IsGone[number] = true;
+  ++this->Cuts;
+  const auto isEnd = [&](Index corner) { return corner == line.start || corner == line.end; };
+  const std::size_t apex = !isEnd(t[0]) ? 0 : !isEnd(t[1]) ? 1 : 2;
+  const Index from = t[(apex + 1) % 3];
+  const Index to = t[(apex + 2) % 3];
+  this->add({ from, line.middle, t[apex] }, this->Origin[number]);
+  this->add({ line.middle, to, t[apex] }, this->Origin[number]);
+}
+
+} // namespace
+
+bool isFlat(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  // far more than the rounding of products and differences, relative to what they are made of
+  constexpr double kSure = 1e-14;
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const bool isFinite = std::isfinite(dot(u, u) + dot(v, v));
+  return isFinite && largest(cross(u, v)) <= kSure * largest(u) * largest(v) &&
+    CGAL::collinear(exact(a), exact(b), exact(c));
+}
+
+FlatRemoval removeFlatTriangles(TriMesh mesh, double leastHeight, Execution& execution)
+{
+  return FlatRemover(std::move(mesh), leastHeight, execution).run();
+}
+
+} // namespace scan

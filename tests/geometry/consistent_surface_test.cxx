@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/consistent_surface.h"
+
+#include "filters/base/error.h"
+#include "filters/geometry/flat_triangles.h"
+#include "filters/geometry/mesh_checks.h"
+#include "tests/geometry/mesh_corpus.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace scan;
+
+namespace
+{
+
+ConsistentSurface consistent(TriMesh mesh)
+{
+  Execution execution(2);
+  return makeConsistent(std::move(mesh), 0.0, execution);
+}
+
+double areaOf(const TriMesh& mesh, const Triangle& t)
+{
+  const Vec3 n =
+    cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]);
+  return 0.5 * std::sqrt(dot(n, n));
+}
+
+/// What the header promises for every input.
+void expectPromise(const TriMesh& input, const ConsistentSurface& surface)
+{
+  const MeshReport report = describeMesh(surface.mesh);
+  EXPECT_TRUE(report.isManifold) << report.nonManifoldEdges << ' ' << report.nonManifoldVertices;
+  EXPECT_TRUE(report.isOriented);
+  EXPECT_EQ(report.flatTriangles + report.collapsedTriangles, 0U);
+  ASSERT_EQ(surface.pointOrigin.size(), surface.mesh.points.size());
+  for (std::size_t p = 0; p < surface.mesh.points.size(); ++p)
+  {
+    ASSERT_EQ(surface.mesh.points[p], input.points[surface.pointOrigin[p]]);
+    ASSERT_TRUE(p >= input.points.size() || surface.pointOrigin[p] == p);
+  }
+  // triangles stay where they are: parts of each have its area together
+  ASSERT_EQ(surface.triangleOrigin.size(), surface.mesh.triangles.size());
+  std::vector<double> rest;
+  for (const Triangle& t : input.triangles)
+  {
+    rest.push_back(areaOf(input, t));
+  }
+  for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t)
+  {
+    rest[surface.triangleOrigin[t]] -= areaOf(surface.mesh, surface.mesh.triangles[t]);
+  }
+  for (const double area : rest)
+  {
+    EXPECT_NEAR(area, 0.0, 1e-12);
+  }
+}
+
+/// Ways to damage a surface that leave its shape as it was.
+class Damage
+{
+public:
+  Damage(TriMesh mesh, unsigned seed)
+    : Mesh(std::move(mesh))
+    , Random(seed)
+  {
+  }
+
+  const TriMesh& mesh() const { return this->Mesh; }
+
+  void doSomething()
+  {
+    const std::size_t t = this->Random() % this->Mesh.triangles.size();
+    switch (this->Random() % 5)
+    {
+      case 0:
+        std::swap(this->Mesh.triangles[t][0], this->Mesh.triangles[t][1]);
+        break;
+      case 1:
+        this->Mesh.triangles.push_back(
+          { this->Mesh.triangles[t][0], this->Mesh.triangles[t][0], this->Mesh.triangles[t][1] });
+        break;
+      case 2:
+        this->addFlat(t);
+        break;
+      case 3:
+        this->openNeedle(t);
+        break;
+      default:
+        this->cutWithFlat(t);
+    }
+  }
+
+private:
+  Index add(const Vec3& point)
+  {
+    this->Mesh.points.push_back(point);
+    return static_cast<Index>(this->Mesh.points.size() - 1);
+  }
+
+  /// A flat triangle on an edge; alone, with one point of its own.
+  void addFlat(std::size_t t)
+  {
+    const Triangle& at = this->Mesh.triangles[t];
+    const Vec3 from = this->Mesh.points[at[0]];
+    const Vec3 along = this->Mesh.points[at[1]] - from;
+    const Index own = this->add(from + along * 2.0);
+    if (isFlat(from, from + along, this->Mesh.points[own]))
+    {
+      this->Mesh.triangles.push_back({ at[0], at[1], own });
+    }
+  }
+
+  /// A triangle gets its own copy of a corner, and the gap a needle without width.
+  void openNeedle(std::size_t t)
+  {
+    const Triangle at = this->Mesh.triangles[t];
+    const Index copy = this->add(Vec3(this->Mesh.points[at[0]]));
+    this->Mesh.triangles[t][0] = copy;
+    this->Mesh.triangles.push_back({ at[0], at[1], copy });
+    this->Mesh.triangles.push_back({ at[2], at[0], copy });
+  }
+
+  /// A triangle is cut at a point on its edge, where the neighbour gets a flat triangle.
+  void cutWithFlat(std::size_t t)
+  {
+    const Triangle at = this->Mesh.triangles[t];
+    const Vec3& from = this->Mesh.points[at[0]];
+    const Vec3 middle = (from + this->Mesh.points[at[1]]) * 0.5;
+    if (!isFlat(from, this->Mesh.points[at[1]], middle))
+    {
+      return;
+    }
+    const Index own = this->add(middle);
+    this->Mesh.triangles[t] = { at[0], own, at[2] };
+    this->Mesh.triangles.push_back({ own, at[1], at[2] });
+    this->Mesh.triangles.push_back({ own, at[0], at[1] });
+  }
+
+  TriMesh Mesh;
+  std::mt19937 Random;
+};
+
+/// Coordinates whose sums of two have no rounding.
+TriMesh rounded(TriMesh mesh)
+{
+  for (Vec3& p : mesh.points)
+  {
+    for (double* const x : { &p.x, &p.y, &p.z })
+    {
+      *x = std::round(*x * 1024.0) / 1024.0;
+    }
+  }
+  return mesh;
+}
+
+} // namespace
+
+TEST(ConsistentSurface, LeavesAGoodOneAlone)
+{
+  for (const TriMesh& mesh : { corpus::torus(8), corpus::square(), TriMesh{ { { 1, 2, 3 } }, {} } })
+  {
+    const ConsistentSurface surface = consistent(mesh);
+    EXPECT_EQ(surface.mesh.triangles, mesh.triangles);
+    EXPECT_EQ(surface.mesh.points, mesh.points);
+    EXPECT_FALSE(surface.isChanged());
+    expectPromise(mesh, surface);
+  }
+}
+
+TEST(ConsistentSurface, MendsDamagedClosedOnes)
+{
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const TriMesh torus = rounded(corpus::torus(12));
+    Damage damage(torus, seed);
+    for (unsigned i = 0; i < 3 * seed; ++i)
+    {
+      damage.doSomething();
+    }
+    const ConsistentSurface surface = consistent(damage.mesh());
+    expectPromise(damage.mesh(), surface);
+    const MeshReport report = describeMesh(surface.mesh);
+    EXPECT_TRUE(report.isClosed) << report.boundaryEdges;
+    EXPECT_NEAR(report.volume.value_or(0.0), *describeMesh(torus).volume, 1e-12);
+    EXPECT_TRUE(surface.isChanged());
+  }
+}
+
+TEST(ConsistentSurface, PartsWhatIsNoManifold)
+{
+  for (const TriMesh& mesh :
+    { corpus::tetrahedraOnOneEdge(), corpus::tetrahedraOnOnePoint(), corpus::moebius(),
+      corpus::voxelBorder(5, [](Index i, Index j, Index k) { return (i * j + k) % 2 == 0; }) })
+  {
+    const ConsistentSurface surface = consistent(mesh);
+    expectPromise(mesh, surface);
+    EXPECT_TRUE(surface.isChanged());
+  }
+}
+
+TEST(ConsistentSurface, FacesOutwards)
+{
+  TriMesh inward = corpus::torus(8);
+  for (Triangle& t : inward.triangles)
+  {
+    std::swap(t[0], t[1]);
+  }
+  const ConsistentSurface surface = consistent(inward);
+  EXPECT_GT(*describeMesh(surface.mesh).volume, 0.0);
+  EXPECT_EQ(surface.turned, inward.triangles.size());
+}
+
+TEST(ConsistentSurface, KeepsVoids)
+{
+  TriMesh mesh =
+    corpus::voxelBorder(5, [](Index i, Index j, Index k) { return !(i == 2 && j == 2 && k == 2); });
+  const ConsistentSurface surface = consistent(mesh);
+  EXPECT_FALSE(surface.isChanged());
+  EXPECT_NEAR(*describeMesh(surface.mesh).volume, 124.0, 1e-12);
+}
+
+TEST(ConsistentSurface, TurnsTheSmallerPart)
+{
+  TriMesh mesh = corpus::torus(8);
+  const std::vector<Triangle> good = mesh.triangles;
+  for (std::size_t t = 0; t < 5; ++t) // the first ones: it is not they who decide
+  {
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  const ConsistentSurface surface = consistent(mesh);
+  EXPECT_EQ(surface.mesh.triangles, good);
+  EXPECT_EQ(surface.turned, 5U);
+}
+
+TEST(ConsistentSurface, RefusesMissingPoints)
+{
+  EXPECT_THROW(consistent({ { { 0, 0, 0 } }, { { 0, 0, 1 } } }), Error);
+}
