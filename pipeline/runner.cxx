@@ -100,6 +100,8 @@ StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOpti
       fresh.SetInputDataObject(input);
     }
     step.outcome = updateOnce(fresh, options);
+    const auto* const task = dynamic_cast<vtkScanTask*>(&fresh);
+    step.note = task != nullptr ? task->GetNote() : std::string();
   }
   catch (const std::bad_alloc&) // plain VTK algorithms have no guard
   {
@@ -131,7 +133,7 @@ StepResult runOperation(const Operation& operation, const ParameterValues& given
     if (step.outcome.state == State::ok)
     {
       step.results = operation.results ? operation.results(*filter) : Results();
-      step.note = operation.note ? operation.note(*filter) : std::string();
+      step.note = operation.note ? operation.note(*filter) : step.note;
     }
     return step;
   }

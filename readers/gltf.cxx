@@ -27,6 +27,9 @@ constexpr std::size_t kStep = 1U << 16U;
 enum Mode : std::size_t
 {
   kPoints = 0,
+  kLines = 1,
+  kLineLoop = 2,
+  kLineStrip = 3,
   kTriangles = 4,
   kStrip = 5,
   kFan = 6
@@ -40,12 +43,14 @@ struct VertexSet
   std::optional<GltfAccessor> colors;
 };
 
-/// Triangles on them.
+/// Triangles or lines on them.
 struct Primitive
 {
   std::size_t vertices = 0; // index of the set
   std::size_t mode = kTriangles;
   std::optional<GltfAccessor> indices;
+
+  bool isOfLines() const { return this->mode < kTriangles; }
 };
 
 struct Mesh
@@ -54,6 +59,7 @@ struct Mesh
   std::vector<Primitive> primitives;
   std::size_t pointCount = 0;
   std::size_t triangleCount = 0; // at most
+  std::size_t lineCorners = 0;   // at most
   bool hasNormals = false;
   bool hasColors = false;
 };
@@ -123,9 +129,9 @@ private:
       this->Run.step("read", 1, 2);
       const auto attributes = primitive.find("attributes");
       const std::size_t mode = this->Document.number(primitive, "mode").value_or(kTriangles);
-      if (mode != kPoints && (mode < kTriangles || mode > kFan))
+      if (mode > kFan)
       {
-        continue; // lines
+        continue;
       }
       if (attributes == primitive.end() || !attributes->contains("POSITION"))
       {
@@ -158,7 +164,7 @@ private:
       }
       if (mode != kPoints)
       {
-        this->resolveTriangles(primitive, mesh, { entry->second, mode, {} });
+        this->resolveCorners(primitive, mesh, { entry->second, mode, {} });
       }
     }
     return mesh;
@@ -176,7 +182,7 @@ private:
     return accessor;
   }
 
-  void resolveTriangles(const Json& json, Mesh& mesh, Primitive primitive)
+  void resolveCorners(const Json& json, Mesh& mesh, Primitive primitive)
   {
     std::size_t count = mesh.sets[primitive.vertices].positions.count;
     if (const std::optional<std::size_t> indices = this->Document.number(json, "indices"))
@@ -193,11 +199,19 @@ private:
       this->Input.fail("triangles have " + std::to_string(count) +
         " corners, which is not a multiple of three; the file is malformed");
     }
-    if (count >= 3)
+    if (count < (primitive.isOfLines() ? 2U : 3U))
+    {
+      return;
+    }
+    if (primitive.isOfLines())
+    {
+      mesh.lineCorners += count + 1;
+    }
+    else
     {
       mesh.triangleCount += primitive.mode == kTriangles ? count / 3 : count - 2;
-      mesh.primitives.push_back(std::move(primitive));
     }
+    mesh.primitives.push_back(std::move(primitive));
   }
 
   // ---- The model
@@ -207,16 +221,18 @@ private:
   {
     double points = 0.0;
     double triangles = 0.0;
+    double lineCorners = 0.0;
     for (const GltfPlacement& placed : this->Scene)
     {
       const Mesh& mesh = *this->Meshes[placed.mesh];
       points += static_cast<double>(mesh.pointCount);
       triangles += static_cast<double>(mesh.triangleCount);
+      lineCorners += static_cast<double>(mesh.lineCorners);
       this->HasNormals = this->HasNormals || mesh.hasNormals;
       this->HasColors = this->HasColors || mesh.hasColors;
     }
-    const double bytes =
-      points * (this->HasNormals ? 51.0 : 27.0) + triangles * double(sizeof(Triangle));
+    const double bytes = points * (this->HasNormals ? 51.0 : 27.0) +
+      (triangles + lineCorners) * double(sizeof(Triangle));
     if (bytes > 12.0 * static_cast<double>(this->Input.bytes.size()) + 36e6)
     {
       this->Input.fail("the scene shows its meshes so often that they take " +
@@ -233,7 +249,7 @@ private:
     this->Result.normals.reserve(this->HasNormals ? count : 0);
     this->Result.colors.reserve(this->HasColors ? count : 0);
     this->Result.triangles.reserve(static_cast<std::size_t>(triangles));
-    this->Total = static_cast<std::size_t>(points + triangles);
+    this->Total = static_cast<std::size_t>(points + triangles + lineCorners);
   }
 
   void report()
@@ -258,8 +274,16 @@ private:
     }
     for (const Primitive& primitive : mesh.primitives)
     {
-      this->appendTriangles(
-        primitive, mesh.sets[primitive.vertices], firsts[primitive.vertices], place.isMirror());
+      const std::size_t known = mesh.sets[primitive.vertices].positions.count;
+      const Index first = firsts[primitive.vertices];
+      if (primitive.isOfLines())
+      {
+        this->appendLines(primitive, known, first);
+      }
+      else
+      {
+        this->appendTriangles(primitive, known, first, place.isMirror());
+      }
     }
   }
 
@@ -288,13 +312,12 @@ private:
     }
   }
 
-  void appendTriangles(
-    const Primitive& primitive, const VertexSet& set, Index first, bool isMirrored)
+  /// Calls visit(corner) for the corners of a primitive, as indices of the model.
+  /// @param known number of vertices of its set, the first of which is `first`
+  template <class Visit>
+  void forEachCorner(const Primitive& primitive, std::size_t known, Index first, const Visit& visit)
   {
-    const std::size_t known = set.positions.count;
     const std::size_t count = primitive.indices ? primitive.indices->count : known;
-    Triangle last = {};
-    std::size_t used = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
       this->report();
@@ -305,21 +328,51 @@ private:
           " refers to vertex " + std::to_string(corner) + ", but there are " +
           std::to_string(known) + ", counted from 0");
       }
-      const Index added = first + static_cast<Index>(corner);
-      const bool isFan = primitive.mode == kFan && used >= 3;
-      last = { isFan ? last[0] : last[1], last[2], added };
-      ++used;
-      if (used < 3 || (primitive.mode == kTriangles && used % 3 != 0))
-      {
-        continue;
-      }
-      const bool isSwapped = (primitive.mode == kStrip && used % 2 == 0) != isMirrored;
-      const auto [a, b, c] = last;
-      if (primitive.mode != kStrip || (a != b && b != c && c != a)) // strips are joined so
-      {
-        this->Result.triangles.push_back(isSwapped ? Triangle{ b, a, c } : Triangle{ a, b, c });
-      }
+      visit(first + static_cast<Index>(corner));
     }
+  }
+
+  void appendLines(const Primitive& primitive, std::size_t known, Index first)
+  {
+    Polylines& curves = this->Result.curves;
+    const std::size_t begin = curves.corners.size();
+    this->forEachCorner(primitive, known, first,
+      [&](Index corner)
+      {
+        curves.corners.push_back(corner);
+        if (primitive.mode == kLines && (curves.corners.size() - begin) % 2 == 0)
+        {
+          curves.endLine();
+        }
+      });
+    if (primitive.mode == kLineLoop)
+    {
+      curves.corners.push_back(Index{ curves.corners[begin] });
+    }
+    curves.endLine();
+  }
+
+  void appendTriangles(const Primitive& primitive, std::size_t known, Index first, bool isMirrored)
+  {
+    Triangle last = {};
+    std::size_t used = 0;
+    this->forEachCorner(primitive, known, first,
+      [&](Index corner)
+      {
+        const bool isFan = primitive.mode == kFan && used >= 3;
+        last = { isFan ? last[0] : last[1], last[2], corner };
+        ++used;
+        if (used < 3 || (primitive.mode == kTriangles && used % 3 != 0))
+        {
+          return;
+        }
+        const bool isSwapped = (primitive.mode == kStrip && used % 2 == 0) != isMirrored;
+        const auto [a, b, c] = last;
+        if (primitive.mode != kStrip || (a != b && b != c && c != a)) // strips are joined so
+        {
+          this->Result.triangles.push_back(isSwapped ? Triangle{ b, a, c } : Triangle{ a, b, c });
+        }
+      });
   }
 
   void finish()

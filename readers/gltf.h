@@ -14,8 +14,8 @@ namespace scan
 /// Reads the default scene of a glTF 2.0 file, joined into one model: GLB, or JSON with embedded
 /// buffers ("data:" URIs).
 ///
-/// Points, triangles, strips and fans of all meshes are placed by the transforms of their nodes, in
-/// double precision; lines are left out. Without scenes, all nodes count. Primitives of a mesh that
+/// Points, triangles, strips, fans and lines of all meshes are placed by the transforms of their
+/// nodes, in double precision. Without scenes, all nodes count. Primitives of a mesh that
 /// share their vertices share them in the model; a mesh that several nodes show comes as often.
 /// NORMAL and COLOR_0 are read; where only some primitives have them the others get normals of
 /// length 0 and white. Colours are taken as they are stored. Skins, morph targets, materials and

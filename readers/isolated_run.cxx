@@ -35,6 +35,8 @@ enum class Kind : std::uint32_t
   fraction, // double
   points,
   triangles,
+  curveCorners,
+  curveEnds,
   colors,
   normals,
   unit,  // double
@@ -106,6 +108,8 @@ void detach()
       [&](double fraction) { send(pipe, { Kind::fraction }, std::vector<double>{ fraction }); });
     send(pipe, { Kind::points }, model.points);
     send(pipe, { Kind::triangles }, model.triangles);
+    send(pipe, { Kind::curveCorners }, model.curves.corners);
+    send(pipe, { Kind::curveEnds }, model.curves.ends);
     send(pipe, { Kind::colors }, model.colors);
     send(pipe, { Kind::normals }, model.normals);
     send(pipe, { Kind::unit }, std::vector<double>{ model.millimetresPerUnit });
@@ -234,6 +238,10 @@ Model runIsolated(const Work& work, const std::string& whenItDies, Execution& ex
         return copy.receive(frame.count, model.points);
       case Kind::triangles:
         return copy.receive(frame.count, model.triangles);
+      case Kind::curveCorners:
+        return copy.receive(frame.count, model.curves.corners);
+      case Kind::curveEnds:
+        return copy.receive(frame.count, model.curves.ends);
       case Kind::colors:
         return copy.receive(frame.count, model.colors);
       case Kind::normals:

@@ -7,7 +7,9 @@
 #include "readers/legacy_vtk_scanner.h"
 #include "readers/point_attributes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -54,9 +56,10 @@ private:
     cells
   };
 
-  enum class Faces
+  enum class Cells
   {
-    none,
+    vertices,
+    lines,
     polygons,
     strips
   };
@@ -74,13 +77,21 @@ private:
     {
       this->readPoints();
     }
-    else if (keyword == "vertices" || keyword == "lines")
+    else if (keyword == "vertices")
     {
-      this->readCells(Faces::none);
+      this->readCells(Cells::vertices);
     }
-    else if (keyword == "polygons" || keyword == "triangle_strips")
+    else if (keyword == "lines")
     {
-      this->readCells(keyword == "polygons" ? Faces::polygons : Faces::strips);
+      this->readCells(Cells::lines);
+    }
+    else if (keyword == "polygons")
+    {
+      this->readCells(Cells::polygons);
+    }
+    else if (keyword == "triangle_strips")
+    {
+      this->readCells(Cells::strips);
     }
     else if (keyword == "metadata")
     {
@@ -141,7 +152,7 @@ private:
     return ids;
   }
 
-  void readCells(Faces faces)
+  void readCells(Cells kind)
   {
     const std::size_t first = this->Scan.readCount();
     const std::size_t second = this->Scan.readCount();
@@ -160,7 +171,7 @@ private:
         {
           this->failOnFace(i - 1);
         }
-        this->addCell(faces, i - 1,
+        this->addCell(kind, i - 1,
           std::span(ids).subspan(
             static_cast<std::size_t>(start), static_cast<std::size_t>(offsets[i] - start)));
       }
@@ -176,7 +187,7 @@ private:
         this->failOnFace(i);
       }
       const auto size = static_cast<std::size_t>(numbers[at]);
-      this->addCell(faces, i, std::span(numbers).subspan(at + 1, size));
+      this->addCell(kind, i, std::span(numbers).subspan(at + 1, size));
       at += 1 + size;
     }
   }
@@ -186,9 +197,9 @@ private:
     this->Scan.fail("cell " + std::to_string(number) + " is not within the list of its section");
   }
 
-  void addCell(Faces faces, std::size_t number, std::span<const std::int64_t> ids)
+  void addCell(Cells kind, std::size_t number, std::span<const std::int64_t> ids)
   {
-    if (faces == Faces::none)
+    if (kind == Cells::vertices)
     {
       return;
     }
@@ -197,10 +208,17 @@ private:
     {
       if (id < 0 || id >= count)
       {
-        this->Scan.fail("face " + std::to_string(number) + " names point " +
+        this->Scan.fail("cell " + std::to_string(number) + " names point " +
           (id < 0 ? "-1" : std::to_string(id)) + ", but there are " + std::to_string(count) +
           ", counted from 0");
       }
+    }
+    if (kind == Cells::lines)
+    {
+      std::ranges::transform(ids, std::back_inserter(this->Result.curves.corners),
+        [](std::int64_t id) { return static_cast<Index>(id); });
+      this->Result.curves.endLine();
+      return;
     }
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c)
     {
@@ -210,7 +228,7 @@ private:
     for (std::size_t i = 2; i < ids.size(); ++i)
     {
       const std::size_t turn = i % 2; // every second triangle of a strip is turned over
-      faces == Faces::polygons ? add(0, i - 1, i) : add(i - 2 + turn, i - 1 - turn, i);
+      kind == Cells::polygons ? add(0, i - 1, i) : add(i - 2 + turn, i - 1 - turn, i);
     }
   }
 

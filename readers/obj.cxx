@@ -12,6 +12,7 @@
 #include <charconv>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace scan
 {
@@ -81,6 +82,10 @@ public:
       else if (hasMore && *at == 'f' && (isBlank(at[1]) || isLineEnd(at[1])))
       {
         at = this->readFace(at + 1);
+      }
+      else if (hasMore && *at == 'l' && isBlank(at[1]))
+      {
+        at = this->readLine(at + 1);
       }
       else if (hasMore && *at == 'v' && at[1] == 'n' && this->HasPointNormals)
       {
@@ -181,8 +186,32 @@ private:
     return at;
   }
 
-  /// Reads the vertex of a corner and moves `at` behind the corner.
+  const char* readLine(const char* at)
+  {
+    const char* const end = this->Text.end();
+    for (at = skipGap(at, end); at != end && !isLineEnd(*at) && *at != '#'; at = skipGap(at, end))
+    {
+      this->Mesh.curves.corners.push_back(this->readVertexNumber(at).first);
+    }
+    this->Mesh.curves.endLine();
+    return at;
+  }
+
+  /// Reads the vertex of a corner of a face and moves `at` behind the corner.
   Index readCorner(const char*& at)
+  {
+    const auto [index, rest] = this->readVertexNumber(at);
+    if (this->HasPointNormals)
+    {
+      this->HasPointNormals = this->normalOf(rest) == std::int64_t{ index };
+      this->Corners = std::max(this->Corners, std::size_t{ index } + 1);
+    }
+    return index;
+  }
+
+  /// Reads a vertex of an element and moves `at` behind it.
+  /// @return the index of the vertex, and what follows its number: "/7/3"
+  std::pair<Index, std::string_view> readVertexNumber(const char*& at)
   {
     const char* const end = this->Text.end();
     std::int64_t number = 0;
@@ -195,7 +224,8 @@ private:
     }
     if (result.ec != std::errc() || !isWordEnd(stop) || (stop != result.ptr && *result.ptr != '/'))
     {
-      this->Text.failAtLine(start, "expected a corner of a face, found " + quoted(word(at, end)));
+      this->Text.failAtLine(
+        start, "expected a corner of a face or line, found " + quoted(word(at, end)));
     }
     at = stop;
     const std::string_view rest(result.ptr, static_cast<std::size_t>(stop - result.ptr));
@@ -210,12 +240,7 @@ private:
       this->Furthest = index;
       this->FurthestAt = start;
     }
-    if (this->HasPointNormals)
-    {
-      this->HasPointNormals = this->normalOf(rest) == index;
-      this->Corners = std::max(this->Corners, static_cast<std::size_t>(index) + 1);
-    }
-    return static_cast<Index>(index);
+    return { static_cast<Index>(index), rest };
   }
 
   /// The index of the normal of a corner, of which `rest` follows the vertex; -1 without one.
@@ -239,7 +264,7 @@ private:
   [[noreturn]] void failAtCorner(const char* at, std::int64_t number) const
   {
     this->Text.failAtLine(at,
-      "a face refers to vertex " + std::to_string(number) + ", but there are " +
+      "a face or line refers to vertex " + std::to_string(number) + ", but there are " +
         std::to_string(this->Mesh.points.size()) + ", counted from 1");
   }
 

@@ -11,8 +11,8 @@
 namespace scan
 {
 
-/// Reads the vertices and faces of a Wavefront OBJ file, the vertices' colours and normals where it
-/// has them; everything else is skipped.
+/// Reads the vertices, faces and lines of a Wavefront OBJ file, the vertices' colours and normals
+/// where it has them; everything else is skipped.
 ///
 /// Corners may be a, a/b, a//c or a/b/c, counted from 1, or from the last vertex when negative; a
 /// backslash at its end continues a line. Polygons become fans; faces of one or two corners are

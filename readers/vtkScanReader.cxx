@@ -19,7 +19,12 @@ int vtkScanReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return this->RunGuarded(*this, output,
-    [&](scan::Execution& execution) { scan::bridge::setModel(*output, this->Read(execution)); });
+    [&](scan::Execution& execution)
+    {
+      const scan::Model model = this->Read(execution);
+      scan::bridge::setModel(*output, model);
+      this->AddNote(model.note);
+    });
 }
 
 scan::Model vtkScanReader::Read(scan::Execution& execution) const
@@ -34,6 +39,7 @@ scan::Model vtkScanReader::Read(scan::Execution& execution) const
   if (this->ReadAs == Content::points)
   {
     model.triangles.clear();
+    model.curves = {};
   }
   if (this->ReadAs == Content::mesh && model.triangles.empty())
   {

@@ -106,9 +106,9 @@ scan::Model modelIn(const scan::Source& source, const scan::ReportFraction& repo
   {
     source.fail(error->Words());
   }
-  if (!data->GetPolys()->IsValid() || !data->GetStrips()->IsValid())
+  if (!data->GetPolys()->IsValid() || !data->GetStrips()->IsValid() || !data->GetLines()->IsValid())
   {
-    source.fail("the offsets of the faces are malformed; write the file again");
+    source.fail("the offsets of the cells are malformed; write the file again");
   }
   try
   {

@@ -3,8 +3,8 @@
 #include "writers/autodesk_3ds.h"
 
 #include "filters/base/error.h"
-#include "writers/float_range.h"
 #include "writers/mesh_parts.h"
+#include "writers/single_precision.h"
 #include "writers/write_progress.h"
 
 #include <array>

@@ -8,6 +8,7 @@
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -121,6 +122,24 @@ void writePolyfaces(const Model& model, DxfStream& dxf, Execution& execution)
   }
 }
 
+void writeCurves(const Model& model, DxfStream& dxf)
+{
+  for (std::size_t i = 0; i < model.curves.size(); ++i)
+  {
+    std::span<const Index> line = model.curves[i];
+    dxf.text("0\nPOLYLINE\n8\n0\n66\n1\n10\n0\n20\n0\n30\n0\n");
+    dxf.group(70, isClosed(line) ? 9 : 8); // in space; 1: closed, without the first point again
+    line = line.first(line.size() - (isClosed(line) ? 1 : 0));
+    for (const Index point : line)
+    {
+      dxf.text("0\nVERTEX\n8\n0\n");
+      dxf.point(0, model.points[point]);
+      dxf.text("70\n32\n");
+    }
+    dxf.text("0\nSEQEND\n8\n0\n");
+  }
+}
+
 } // namespace
 
 void writeDxf(const Model& model, const DxfOptions& options, OutputFile& file, Execution& execution)
@@ -131,7 +150,7 @@ void writeDxf(const Model& model, const DxfOptions& options, OutputFile& file, E
   }
   DxfStream dxf(file);
   writeHeader(model, dxf);
-  if (model.triangles.empty())
+  if (model.isScan())
   {
     writePoints(model, dxf, execution);
   }
@@ -143,6 +162,7 @@ void writeDxf(const Model& model, const DxfOptions& options, OutputFile& file, E
   {
     writeFaces(model, dxf, execution);
   }
+  writeCurves(model, dxf);
   dxf.text("0\nENDSEC\n0\nEOF\n");
 }
 

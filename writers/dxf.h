@@ -21,10 +21,11 @@ struct DxfOptions
   DxfFaces faces = DxfFaces::face3d;
 };
 
-/// Writes triangles as AutoCAD DXF release 12, in ascii, without loss; the caller commits the file.
-/// A scan is one POINT a point. A polyface mesh holds at most 32,767 points and as many triangles;
-/// a larger surface becomes several, which repeat the points between them. Points that no triangle
-/// of a surface uses, colours and normals are not written. The same model gives the same bytes.
+/// Writes triangles and curves as AutoCAD DXF release 12, in ascii, without loss; the caller
+/// commits the file. A curve is a POLYLINE, a scan one POINT a point. A polyface mesh holds at most
+/// 32,767 points and as many triangles; a larger surface becomes several, which repeat the points
+/// between them. Other points that nothing uses, colours and normals are not written. The same
+/// model gives the same bytes.
 ///
 /// Throws Error badInput without points. Phase "write".
 void writeDxf(

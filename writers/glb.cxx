@@ -3,6 +3,7 @@
 #include "writers/glb.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/bounding_box.h"
 
 #include <nlohmann/json.hpp>
 
@@ -37,15 +38,9 @@ enum GlTf : int
   kVertexBuffer = 34962,
   kIndexBuffer = 34963,
   kPoints = 0,
+  kLineLoop = 2,
+  kLineStrip = 3,
   kTriangles = 4
-};
-
-/// How coordinates are stored: relative to `origin`, between `low` and `high`.
-struct Frame
-{
-  Vec3 origin;
-  FloatVec low;
-  FloatVec high;
 };
 
 FloatVec stored(const Vec3& point, const Vec3& origin)
@@ -64,6 +59,14 @@ bool isFloat(const Vec3& point)
 double largest(const Vec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+}
+
+/// What coordinates are stored relative to: the middle of what is far from the origin and has more
+/// digits than float32.
+Vec3 originOf(const std::vector<Vec3>& points, const BoundingBox& box)
+{
+  const bool isFar = std::max(largest(box.low), largest(box.high)) > largest(box.high - box.low);
+  return isFar && !std::ranges::all_of(points, isFloat) ? (box.low + box.high) * 0.5 : Vec3{};
 }
 
 /// Calls visit(i) for [0, n) and reports progress; `done` of `total` is in front of them.
@@ -89,8 +92,10 @@ public:
     : Source(model)
     , File(file)
     , Run(execution)
-    , Total(2 * model.points.size() + model.normals.size() + model.colors.size() +
-        model.triangles.size())
+    , Box(model.points)
+    , Origin(originOf(model.points, this->Box))
+    , Total(model.points.size() + model.normals.size() + model.colors.size() +
+        model.triangles.size() + model.curves.corners.size())
   {
   }
 
@@ -100,7 +105,7 @@ public:
     {
       throw Error(ErrorCode::badInput, this->File.name() + ": no points to write");
     }
-    this->findFrame();
+    this->checkRange();
     const std::string json = this->describe();
     constexpr std::uint64_t kLargest = std::numeric_limits<std::uint32_t>::max();
     const std::uint64_t size =
@@ -127,47 +132,95 @@ private:
     this->File.write({ reinterpret_cast<const char*>(&value), sizeof(value) });
   }
 
-  void findFrame()
+  void checkRange() const
   {
-    const std::vector<Vec3>& points = this->Source.points;
-    bool isExact = true;
-    Vec3 low = points.front();
-    Vec3 high = points.front();
-    forEach(this->Run, points.size(), this->Done, this->Total,
-      [&](std::size_t i)
-      {
-        const Vec3& p = points[i];
-        isExact = isExact && isFloat(p);
-        low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-        high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-      });
-    const bool isFar = std::max(largest(low), largest(high)) > largest(high - low);
-    this->Stored.origin = !isExact && isFar ? (low + high) * 0.5 : Vec3{};
-    // rounding is monotonic: the bounds of the stored numbers are the stored bounds
-    const Vec3 lowOffset = low - this->Stored.origin;
-    const Vec3 highOffset = high - this->Stored.origin;
-    if (std::max(largest(lowOffset), largest(highOffset)) > std::numeric_limits<float>::max())
+    const double most =
+      std::max(largest(this->Box.low - this->Origin), largest(this->Box.high - this->Origin));
+    if (most > std::numeric_limits<float>::max())
     {
       throw Error(ErrorCode::limit,
         this->File.name() +
           ": a coordinate exceeds 3.4e38, the limit of GLB; write ascii STL, PLY or OBJ");
     }
-    this->Stored.low = stored(low, this->Stored.origin);
-    this->Stored.high = stored(high, this->Stored.origin);
   }
 
-  /// Adds a buffer view and the accessor to all of it.
-  /// @return the index of the accessor
-  std::size_t describeView(Json& json, std::size_t count, std::size_t elementSize, const char* type,
-    int componentType, int target)
+  /// @return the index of the view
+  std::size_t addView(Json& json, std::size_t size, int target)
   {
-    const std::size_t index = json["accessors"].size();
     json["bufferViews"].push_back({ { "buffer", 0 }, { "byteOffset", this->Size },
-      { "byteLength", count * elementSize }, { "target", target } });
-    json["accessors"].push_back({ { "bufferView", index }, { "componentType", componentType },
+      { "byteLength", size }, { "target", target } });
+    this->Size += size;
+    return json["bufferViews"].size() - 1;
+  }
+
+  /// @return the index of the accessor
+  static std::size_t addAccessor(
+    Json& json, std::size_t view, std::size_t count, const char* type, int componentType)
+  {
+    json["accessors"].push_back({ { "bufferView", view }, { "componentType", componentType },
       { "count", count }, { "type", type } });
-    this->Size += count * elementSize;
-    return index;
+    return json["accessors"].size() - 1;
+  }
+
+  /// Adds a view of an element per point and the accessor to all of it.
+  /// @return the index of the accessor
+  std::size_t addAttribute(Json& json, std::size_t elementSize, const char* type, int componentType)
+  {
+    const std::size_t count = this->Source.points.size();
+    const std::size_t view = this->addView(json, count * elementSize, kVertexBuffer);
+    return addAccessor(json, view, count, type, componentType);
+  }
+
+  Json attributes(Json& json)
+  {
+    Json attributes;
+    attributes["POSITION"] = this->addAttribute(json, sizeof(FloatVec), "VEC3", kFloat);
+    // rounding is monotonic: the bounds of the stored numbers are the stored bounds
+    json["accessors"][0]["min"] = stored(this->Box.low, this->Origin);
+    json["accessors"][0]["max"] = stored(this->Box.high, this->Origin);
+    if (!this->Source.normals.empty())
+    {
+      attributes["NORMAL"] = this->addAttribute(json, sizeof(FloatVec), "VEC3", kFloat);
+    }
+    if (!this->Source.colors.empty())
+    {
+      const std::size_t colors = this->addAttribute(json, 4, "VEC4", kUnsignedByte);
+      json["accessors"][colors]["normalized"] = true;
+      attributes["COLOR_0"] = colors;
+    }
+    return attributes;
+  }
+
+  /// The points of a scan, or the triangles and one primitive a curve.
+  Json primitives(Json& json)
+  {
+    const Json attributes = this->attributes(json);
+    if (this->Source.isScan())
+    {
+      return { { { "attributes", attributes }, { "mode", kPoints } } };
+    }
+    Json primitives = Json::array();
+    if (const std::size_t corners = 3 * this->Source.triangles.size(); corners > 0)
+    {
+      const std::size_t view = this->addView(json, corners * sizeof(Index), kIndexBuffer);
+      primitives.push_back({ { "attributes", attributes }, { "mode", kTriangles },
+        { "indices", addAccessor(json, view, corners, "SCALAR", kUnsignedInt) } });
+    }
+    const Polylines& curves = this->Source.curves;
+    const std::size_t view =
+      curves.empty() ? 0 : this->addView(json, curves.corners.size() * sizeof(Index), kIndexBuffer);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      const bool isLoop = isClosed(curves[i]) && curves[i].size() > 3; // a loop does not repeat
+      const std::size_t accessor =
+        addAccessor(json, view, curves[i].size() - (isLoop ? 1 : 0), "SCALAR", kUnsignedInt);
+      json["accessors"][accessor]["byteOffset"] = begin * sizeof(Index);
+      primitives.push_back({ { "attributes", attributes },
+        { "mode", isLoop ? kLineLoop : kLineStrip }, { "indices", accessor } });
+      begin += curves[i].size();
+    }
+    return primitives;
   }
 
   Json node() const
@@ -176,7 +229,7 @@ private:
     const double unit = known > 0.0 ? known : 1.0;
     const double scale = unit / 1000.0;
     Json node = { { "mesh", 0 } };
-    if (const Vec3& origin = this->Stored.origin; origin != Vec3{})
+    if (const Vec3& origin = this->Origin; origin != Vec3{})
     {
       // unlike with the scale, whole millimetres stay short numbers
       node["translation"] = { origin.x * unit / 1000.0, origin.y * unit / 1000.0,
@@ -196,32 +249,8 @@ private:
       { "scene", 0 }, { "scenes", { { { "nodes", { 0 } } } } }, { "nodes", { this->node() } },
       { "meshes", Json::array() }, { "accessors", Json::array() }, { "bufferViews", Json::array() },
       { "buffers", Json::array() } };
-    const std::size_t count = this->Source.points.size();
-    Json attributes;
-    attributes["POSITION"] =
-      this->describeView(json, count, sizeof(FloatVec), "VEC3", kFloat, kVertexBuffer);
-    json["accessors"][0]["min"] = this->Stored.low;
-    json["accessors"][0]["max"] = this->Stored.high;
-    if (!this->Source.normals.empty())
-    {
-      attributes["NORMAL"] =
-        this->describeView(json, count, sizeof(FloatVec), "VEC3", kFloat, kVertexBuffer);
-    }
-    if (!this->Source.colors.empty())
-    {
-      const std::size_t colors =
-        this->describeView(json, count, 4, "VEC4", kUnsignedByte, kVertexBuffer);
-      json["accessors"][colors]["normalized"] = true;
-      attributes["COLOR_0"] = colors;
-    }
-    Json primitive = { { "attributes", attributes }, { "mode", kPoints } };
-    if (const std::size_t corners = 3 * this->Source.triangles.size(); corners > 0)
-    {
-      primitive["mode"] = kTriangles;
-      primitive["indices"] =
-        this->describeView(json, corners, sizeof(Index), "SCALAR", kUnsignedInt, kIndexBuffer);
-    }
-    json["meshes"].push_back({ { "primitives", Json::array({ primitive }) } });
+    Json primitives = this->primitives(json);
+    json["meshes"].push_back({ { "primitives", std::move(primitives) } });
     json["buffers"].push_back({ { "byteLength", this->Size } });
     std::string text = json.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
@@ -232,7 +261,7 @@ private:
   {
     const Model& model = this->Source;
     forEach(this->Run, model.points.size(), this->Done, this->Total,
-      [&](std::size_t i) { this->put(stored(model.points[i], this->Stored.origin)); });
+      [&](std::size_t i) { this->put(stored(model.points[i], this->Origin)); });
     forEach(this->Run, model.normals.size(), this->Done, this->Total,
       [&](std::size_t i) { this->put(stored(model.normals[i], {})); });
     forEach(this->Run, model.colors.size(), this->Done, this->Total,
@@ -243,6 +272,8 @@ private:
       });
     forEach(this->Run, model.triangles.size(), this->Done, this->Total,
       [&](std::size_t i) { this->put(model.triangles[i]); });
+    forEach(this->Run, model.curves.corners.size(), this->Done, this->Total,
+      [&](std::size_t i) { this->put(model.curves.corners[i]); });
   }
 
   using Rgba = std::array<std::uint8_t, 4>;
@@ -250,10 +281,11 @@ private:
   const Model& Source;
   OutputFile& File;
   Execution& Run;
-  std::size_t Total; // of the steps; points count twice
+  BoundingBox Box;
+  Vec3 Origin;
+  std::size_t Total; // of the steps
   std::size_t Done = 0;
   std::size_t Size = 0; // of the buffer; every part is a multiple of four bytes
-  Frame Stored = {};
 };
 
 } // namespace
@@ -261,6 +293,19 @@ private:
 void writeGlb(const Model& model, OutputFile& file, Execution& execution)
 {
   GlbWriter(model, file, execution).write();
+}
+
+std::vector<Vec3> glbPoints(const std::vector<Vec3>& points)
+{
+  const Vec3 origin = originOf(points, BoundingBox(points));
+  std::vector<Vec3> result(points.size());
+  std::ranges::transform(points, result.begin(),
+    [&](const Vec3& point)
+    {
+      const auto [x, y, z] = stored(point, origin);
+      return Vec3{ x, y, z };
+    });
+  return result;
 }
 
 } // namespace scan

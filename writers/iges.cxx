@@ -5,6 +5,7 @@
 #include "filters/base/error.h"
 #include "filters/geometry/bounding_box.h"
 #include "writers/iges_file.h"
+#include "writers/iges_polyline.h"
 #include "writers/iges_solid.h"
 #include "writers/triangle_plane.h"
 
@@ -30,37 +31,24 @@ constexpr std::array<NamedUnit, 10> kUnits = { { { 1.0, 2, "MM" }, { 10.0, 10, "
   { 1000.0, 6, "M" }, { 25.4, 1, "INCH" }, { 304.8, 4, "FT" }, { 1609344.0, 5, "MI" },
   { 1e6, 7, "KM" }, { 0.0254, 8, "MIL" }, { 1e-3, 9, "UM" }, { 25.4e-6, 11, "UIN" } } };
 
-double millimetresOf(const Model& model, IgesUnit unit)
+/// None for a unit that IGES does not know.
+const NamedUnit* unitOf(const Model& model)
 {
-  switch (unit)
-  {
-    case IgesUnit::millimetre:
-      return 1.0;
-    case IgesUnit::centimetre:
-      return 10.0;
-    case IgesUnit::metre:
-      return 1000.0;
-    case IgesUnit::inch:
-      return 25.4;
-    case IgesUnit::model:
-      break;
-  }
-  return model.millimetresPerUnit == 0.0 ? 1.0 : model.millimetresPerUnit;
-}
-
-const NamedUnit& unitOf(const Model& model, IgesUnit unit, const OutputFile& file)
-{
-  const double millimetres = millimetresOf(model, unit);
+  const double millimetres = model.millimetresPerUnit == 0.0 ? 1.0 : model.millimetresPerUnit;
   const auto* const found = std::ranges::find_if(kUnits,
     [&](const NamedUnit& named)
     { return std::abs(millimetres - named.millimetres) <= 1e-9 * named.millimetres; });
-  if (found == kUnits.end())
+  return found != kUnits.end() ? found : nullptr;
+}
+
+Model inMillimetres(Model model)
+{
+  for (Vec3& point : model.points)
   {
-    throw Error(ErrorCode::badInput,
-      file.name() + ": IGES has no name for a unit of " + std::to_string(millimetres) +
-        " mm; scale the model and choose mm, cm, m or inch");
+    point = point * model.millimetresPerUnit;
   }
-  return *found;
+  model.millimetresPerUnit = 1.0;
+  return model;
 }
 
 bool isFinite(const Vec3& p)
@@ -101,22 +89,26 @@ std::string_view describe(IgesEntities entities)
   return "Points by Scanwrap (116)";
 }
 
-IgesHeader headerOf(const Model& model, const IgesOptions& options, const OutputFile& file)
+/// The largest coordinate, as an absolute value.
+double largest(const Model& model)
 {
-  const NamedUnit& unit = unitOf(model, options.unit, file);
   const BoundingBox box(model.points);
-  double largest = 0.0;
+  double most = 0.0;
   for (const Vec3& end : { box.low, box.high })
   {
-    largest = std::max({ largest, std::abs(end.x), std::abs(end.y), std::abs(end.z) });
+    most = std::max({ most, std::abs(end.x), std::abs(end.y), std::abs(end.z) });
   }
-  // Readers take it as tolerance: finer than the triangles, coarser than the rounding of planes
-  const double resolution = 1e-8 * box.diagonal() + 1e-14 * largest;
-  return { .description = describe(options.entities),
+  return most;
+}
+
+IgesHeader headerOf(const Model& model, IgesEntities entities)
+{
+  const NamedUnit& unit = *unitOf(model);
+  return { .description = describe(entities),
     .unitFlag = unit.flag,
     .unitName = unit.name,
-    .resolution = resolution > 0.0 ? resolution : 1e-8,
-    .largest = largest };
+    .resolution = igesResolution(model),
+    .largest = largest(model) };
 }
 
 void putPoints(const TriMesh& mesh, IgesSink& sink)
@@ -133,13 +125,7 @@ std::uint64_t putBorder(
   const TriMesh& mesh, const Triangle& triangle, std::string_view status, IgesSink& sink)
 {
   const auto& [a, b, c] = triangle;
-  sink.begin({ .type = 106, .form = 12, .status = status });
-  sink.integer(2).integer(4); // triples, how many
-  for (const Index corner : { a, b, c, a })
-  {
-    sink.point(mesh.points[corner]);
-  }
-  return sink.end();
+  return putIgesPolyline(mesh, std::array{ a, b, c, a }, status, sink);
 }
 
 void putWireframe(const TriMesh& mesh, IgesSink& sink)
@@ -195,25 +181,20 @@ void putNurbs(const TriMesh& mesh, IgesSink& sink)
   }
 }
 
-void writeTriangles(const Model& model, IgesEntities entities, const IgesHeader& header,
-  OutputFile& file, Execution& execution)
+void putTriangles(
+  const TriMesh& mesh, IgesEntities entities, IgesSink& sink, const OutputFile& file)
 {
-  const std::uint64_t each = entities == IgesEntities::faces ? 2 : 1;
-  const auto put = [&](IgesSink& sink)
+  switch (entities)
   {
-    switch (entities)
-    {
-      case IgesEntities::faces:
-        putFaces(model, sink, file);
-        break;
-      case IgesEntities::nurbs:
-        putNurbs(model, sink);
-        break;
-      default:
-        putWireframe(model, sink);
-    }
-  };
-  writeIgesFile(header, each * model.triangles.size(), put, file, execution);
+    case IgesEntities::faces:
+      putFaces(mesh, sink, file);
+      break;
+    case IgesEntities::nurbs:
+      putNurbs(mesh, sink);
+      break;
+    default:
+      putWireframe(mesh, sink);
+  }
 }
 
 } // namespace
@@ -222,25 +203,40 @@ void writeIges(
   const Model& model, const IgesOptions& options, OutputFile& file, Execution& execution)
 {
   requireWritable(model, file);
-  IgesOptions chosen = options;
-  if (model.triangles.empty())
+  if (unitOf(model) == nullptr)
   {
-    chosen.entities = IgesEntities::points;
+    writeIges(inMillimetres(model), options, file, execution);
+    return;
   }
-  const IgesHeader header = headerOf(model, chosen, file);
-  if (chosen.entities == IgesEntities::points)
+  const IgesEntities entities = model.isScan() ? IgesEntities::points : options.entities;
+  const IgesHeader header = headerOf(model, entities);
+  if (entities == IgesEntities::points)
   {
     const auto put = [&](IgesSink& sink) { putPoints(model, sink); };
     writeIgesFile(header, model.points.size(), put, file, execution);
   }
-  else if (chosen.entities == IgesEntities::solid)
+  else if (entities == IgesEntities::solid)
   {
     writeIgesSolid(model, header, file, execution);
   }
   else
   {
-    writeTriangles(model, chosen.entities, header, file, execution);
+    const std::uint64_t each = entities == IgesEntities::faces ? 2 : 1;
+    const auto put = [&](IgesSink& sink)
+    {
+      putTriangles(model, entities, sink, file);
+      putIgesCurves(model, sink);
+    };
+    writeIgesFile(
+      header, each * model.triangles.size() + model.curves.size(), put, file, execution);
   }
+}
+
+double igesResolution(const Model& model)
+{
+  // finer than the triangles, coarser than the rounding of planes
+  const double resolution = 1e-8 * BoundingBox(model.points).diagonal() + 1e-14 * largest(model);
+  return resolution > 0.0 ? resolution : 1e-8;
 }
 
 } // namespace scan

@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "filters/geometry/half_edges.h"
+#include "writers/iges_polyline.h"
 #include "writers/solid_bodies.h"
 #include "writers/triangle_plane.h"
 
@@ -174,9 +175,9 @@ private:
 } // namespace
 
 void writeIgesSolid(
-  const TriMesh& mesh, const IgesHeader& header, OutputFile& file, Execution& execution)
+  const Model& model, const IgesHeader& header, OutputFile& file, Execution& execution)
 {
-  const std::vector<SolidBody> bodies = bodiesOf(mesh, file.name(), execution);
+  const std::vector<SolidBody> bodies = bodiesOf(model, file.name(), execution);
   const auto put = [&](IgesSink& sink)
   {
     for (const SolidBody& body : bodies)
@@ -195,8 +196,9 @@ void writeIgesSolid(
       }
       sink.end();
     }
+    putIgesCurves(model, sink);
   };
-  writeIgesFile(header, entityCount(bodies), put, file, execution);
+  writeIgesFile(header, entityCount(bodies) + model.curves.size(), put, file, execution);
 }
 
 } // namespace scan

@@ -25,7 +25,7 @@ void writeInventor(
     file.write("Material { diffuseColor ");
     writeColorList(model, file, progress);
     file.write(" }\nMaterialBinding { value ");
-    file.write(isSurface ? "PER_VERTEX_INDEXED }\n" : "PER_VERTEX }\n");
+    file.write(model.isScan() ? "PER_VERTEX }\n" : "PER_VERTEX_INDEXED }\n");
   }
   file.write("Coordinate3 { point ");
   writePointList(model, file, progress);
@@ -36,7 +36,13 @@ void writeInventor(
     writeTriangleList(model, file, progress);
     file.write(" }\n");
   }
-  else
+  if (!model.curves.empty())
+  {
+    file.write("IndexedLineSet { coordIndex ");
+    writeCurveList(model, file, progress);
+    file.write(" }\n");
+  }
+  if (model.isScan())
   {
     file.write("PointSet { }\n");
   }

@@ -21,8 +21,9 @@ struct InventorOptions
   InventorVersion version = InventorVersion::inventor;
 };
 
-/// Writes points and triangles as Open Inventor or VRML 1.0, in ascii; the caller commits the file.
-/// Triangles are an IndexedFaceSet, lit from both sides; a scan is a PointSet. Colours are one
+/// Writes points, triangles and curves as Open Inventor or VRML 1.0, in ascii; the caller commits
+/// the file. Triangles are an IndexedFaceSet, lit from both sides; curves are an IndexedLineSet; a
+/// scan is a PointSet. Colours are one
 /// Material per point. Normals are not written. Every digit of the coordinates is written, though
 /// programs read them as float32, about 7 digits. The same model gives the same bytes.
 ///

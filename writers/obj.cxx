@@ -39,8 +39,8 @@ TextLine cornersOf(const Triangle& triangle, bool hasNormals)
 
 void writeObj(const Model& model, OutputFile& file, Execution& execution)
 {
-  WriteProgress progress(
-    execution, model.points.size() + model.normals.size() + model.triangles.size());
+  WriteProgress progress(execution,
+    model.points.size() + model.normals.size() + model.triangles.size() + model.curves.size());
   file.write("# OBJ by Scanwrap\n");
   for (std::size_t i = 0; i < model.points.size(); ++i)
   {
@@ -61,6 +61,16 @@ void writeObj(const Model& model, OutputFile& file, Execution& execution)
   {
     progress.next();
     file.write(cornersOf(triangle, !model.normals.empty()).text("\n"));
+  }
+  for (std::size_t i = 0; i < model.curves.size(); ++i)
+  {
+    progress.next();
+    file.write("l");
+    for (const Index corner : model.curves[i])
+    {
+      file.write(TextLine(" ").digits(std::uint64_t{ corner } + 1));
+    }
+    file.write("\n");
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "filters/base/error.h"
 #include "writers/color_text.h"
-#include "writers/float_range.h"
+#include "writers/single_precision.h"
 #include "writers/text_line.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ void requireSceneLimits(const Model& model, const OutputFile& file, const std::s
 
 std::size_t sceneRecords(const Model& model)
 {
-  return model.points.size() + model.colors.size() + model.triangles.size();
+  return model.points.size() + model.colors.size() + model.triangles.size() + model.curves.size();
 }
 
 void writePointList(const Model& model, OutputFile& file, WriteProgress& progress)
@@ -52,6 +52,21 @@ void writeColorList(const Model& model, OutputFile& file, WriteProgress& progres
     progress.next();
     TextLine line;
     file.write(putColor(line, color).text(",\n"));
+  }
+  file.write("]");
+}
+
+void writeCurveList(const Model& model, OutputFile& file, WriteProgress& progress)
+{
+  file.write("[\n");
+  for (std::size_t i = 0; i < model.curves.size(); ++i)
+  {
+    progress.next();
+    for (const Index corner : model.curves[i])
+    {
+      file.write(TextLine().digits(corner).text(", "));
+    }
+    file.write("-1,\n");
   }
   file.write("]");
 }

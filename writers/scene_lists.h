@@ -26,6 +26,9 @@ void writePointList(const Model& model, OutputFile& file, WriteProgress& progres
 /// "[ r g b, ... ]" from 0.0 to 1.0.
 void writeColorList(const Model& model, OutputFile& file, WriteProgress& progress);
 
+/// "[ a, b, c, d, -1, ... ]", the points of each curve, counted from 0.
+void writeCurveList(const Model& model, OutputFile& file, WriteProgress& progress);
+
 /// "[ a, b, c, -1, ... ]", counted from 0.
 void writeTriangleList(const Model& model, OutputFile& file, WriteProgress& progress);
 

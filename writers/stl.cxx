@@ -3,6 +3,7 @@
 #include "writers/stl.h"
 
 #include "filters/base/error.h"
+#include "writers/single_precision.h"
 #include "writers/text_line.h"
 
 #include <array>
@@ -27,21 +28,6 @@ Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c)
   const Vec3 normal = cross(b - a, c - a);
   const double length = std::sqrt(dot(normal, normal));
   return length > 0.0 ? normal * (1.0 / length) : Vec3{};
-}
-
-void checkFloatRange(const TriMesh& mesh, const OutputFile& file)
-{
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  for (const Vec3& point : mesh.points)
-  {
-    if (std::abs(point.x) > kLargest || std::abs(point.y) > kLargest ||
-      std::abs(point.z) > kLargest)
-    {
-      throw Error(ErrorCode::limit,
-        file.name() +
-          ": a coordinate exceeds 3.4e38, the limit of binary STL; write ascii STL, PLY or OBJ");
-    }
-  }
 }
 
 void writeBinary(const TriMesh& mesh, OutputFile& file, Execution& execution)
@@ -121,7 +107,7 @@ void writeStl(
     throw Error(ErrorCode::limit,
       file.name() + ": more than 4294967295 triangles, the limit of binary STL; decimate");
   }
-  checkFloatRange(mesh, file);
+  requireFloatRange(mesh, file.name(), "binary STL");
   writeBinary(mesh, file, execution);
 }
 

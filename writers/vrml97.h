@@ -9,8 +9,9 @@
 namespace scan
 {
 
-/// Writes points and triangles as VRML97 (ISO/IEC 14772-1, also named VRML 2.0); the caller commits
-/// the file. Triangles are an IndexedFaceSet, visible from both sides; a scan is a PointSet.
+/// Writes points, triangles and curves as VRML97 (ISO/IEC 14772-1, also named VRML 2.0); the caller
+/// commits the file. Triangles are an IndexedFaceSet, visible from both sides; curves are an
+/// IndexedLineSet, in a Shape of its own beside triangles; a scan is a PointSet.
 /// Colours are written per point, normals are not. Every digit of the coordinates is written,
 /// though programs read them as float32, about 7 digits. The same model gives the same bytes.
 ///

@@ -3,6 +3,7 @@
 #include "writers/vtkScanGlbWriter.h"
 
 #include "writers/glb.h"
+#include "writers/unit_note.h"
 
 #include <vtkObjectFactory.h>
 
@@ -12,4 +13,14 @@ void vtkScanGlbWriter::Format(
   const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeGlb(model, file, execution);
+}
+
+std::vector<scan::Vec3> vtkScanGlbWriter::Stored(const std::vector<scan::Vec3>& points) const
+{
+  return scan::glbPoints(points);
+}
+
+std::string vtkScanGlbWriter::NoteOn(const scan::Model& model) const
+{
+  return scan::noteOnUnit(model);
 }

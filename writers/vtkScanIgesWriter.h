@@ -20,20 +20,15 @@ public:
   vtkGetEnumMacro(Entities, scan::IgesEntities);
   ///@}
 
-  ///@{
-  /// What one unit is declared to be. Default: what the model says.
-  vtkSetEnumMacro(Unit, scan::IgesUnit);
-  vtkGetEnumMacro(Unit, scan::IgesUnit);
-  ///@}
-
 protected:
   vtkScanIgesWriter() = default;
   ~vtkScanIgesWriter() override = default;
 
   void Format(
     const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+  double LeastHeight(const scan::Model& model) const override;
+  std::string NoteOn(const scan::Model& model) const override;
 
 private:
   scan::IgesEntities Entities = scan::IgesEntities::faces;
-  scan::IgesUnit Unit = scan::IgesUnit::model;
 };

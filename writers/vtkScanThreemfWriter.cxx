@@ -3,6 +3,7 @@
 #include "writers/vtkScanThreemfWriter.h"
 
 #include "writers/threemf.h"
+#include "writers/unit_note.h"
 
 #include <vtkObjectFactory.h>
 
@@ -12,4 +13,9 @@ void vtkScanThreemfWriter::Format(
   const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeThreemf(model, file, execution);
+}
+
+std::string vtkScanThreemfWriter::NoteOn(const scan::Model& model) const
+{
+  return scan::noteOnUnit(model);
 }

@@ -19,4 +19,5 @@ protected:
 
   void Format(
     const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+  std::string NoteOn(const scan::Model& model) const override;
 };

@@ -3,10 +3,13 @@
 #include "writers/vtkScanWriter.h"
 
 #include "filters/base/vtkScanMeshBridge.h"
+#include "writers/consistent_model.h"
 #include "writers/output_file.h"
 
 #include <vtkInformation.h>
 #include <vtkPolyData.h>
+
+#include <utility>
 
 vtkScanWriter::~vtkScanWriter()
 {
@@ -19,6 +22,7 @@ void vtkScanWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName != nullptr ? this->FileName : "(none)") << "\n";
   os << indent << "Encoding: " << (this->Encoding == scan::Encoding::ascii ? "ascii" : "binary")
      << "\n";
+  os << indent << "Consistent: " << (this->Consistent ? "On" : "Off") << "\n";
 }
 
 int vtkScanWriter::Write()
@@ -54,7 +58,31 @@ void vtkScanWriter::WriteData()
       }
       execution.plan({ { "write", 1.0 } });
       scan::OutputFile file(this->FileName);
-      this->Format(scan::bridge::modelOf(*input), file, execution);
+      scan::Model model = scan::bridge::modelOf(*input);
+      if (this->Consistent)
+      {
+        std::vector<scan::Vec3> stored = this->Stored(model.points);
+        const double leastHeight = this->LeastHeight(model);
+        model = scan::consistentModel(std::move(model), std::move(stored), leastHeight, execution);
+        this->AddNote(model.note);
+      }
+      this->AddNote(this->NoteOn(model));
+      this->Format(model, file, execution);
       file.commit();
     });
+}
+
+std::vector<scan::Vec3> vtkScanWriter::Stored(const std::vector<scan::Vec3>&) const
+{
+  return {};
+}
+
+double vtkScanWriter::LeastHeight(const scan::Model&) const
+{
+  return 0.0;
+}
+
+std::string vtkScanWriter::NoteOn(const scan::Model&) const
+{
+  return {};
 }

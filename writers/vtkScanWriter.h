@@ -10,6 +10,7 @@
 #include <vtkWriter.h>
 
 #include <string>
+#include <vector>
 
 namespace scan
 {
@@ -36,6 +37,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether to mend surfaces: what is written is then an oriented manifold without triangles that
+  /// have no area, see writers/consistent_model.h. The note says what was changed. Default: true.
+  vtkSetMacro(Consistent, bool);
+  vtkGetMacro(Consistent, bool);
+  vtkBooleanMacro(Consistent, bool);
+  ///@}
+
+  ///@{
   /// Binary or ascii, where the format has both. Default: binary.
   vtkSetEnumMacro(Encoding, scan::Encoding);
   vtkGetEnumMacro(Encoding, scan::Encoding);
@@ -52,6 +61,16 @@ protected:
   virtual void Format(
     const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const = 0;
 
+  /// The points as the file will hold them, up to a translation; none, the default, where it keeps
+  /// every digit.
+  virtual std::vector<scan::Vec3> Stored(const std::vector<scan::Vec3>& points) const;
+
+  /// Triangles that are not higher have no area for the format. Default: 0, exactly none.
+  virtual double LeastHeight(const scan::Model& model) const;
+
+  /// One line on what the format does to the model; empty, the default, when nothing noteworthy.
+  virtual std::string NoteOn(const scan::Model& model) const;
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) final;
@@ -59,4 +78,5 @@ protected:
 
   char* FileName = nullptr;
   scan::Encoding Encoding = scan::Encoding::binary;
+  bool Consistent = true;
 };

@@ -138,9 +138,9 @@ TEST(LegacyVtk, SaysWhatIsWrong)
     "file: 1 of 2 points have coordinates that are not finite or exceed 1e50 (first: line 7); "
     "remove them");
   EXPECT_EQ(errorOf(kQuad + "POLYGONS 1 4\n3 0 1 4\n"),
-    "file: line 8: face 0 names point 4, but there are 4, counted from 0");
+    "file: line 8: cell 0 names point 4, but there are 4, counted from 0");
   EXPECT_EQ(errorOf(kQuad + "POLYGONS 1 4\n3 0 1 -2\n"),
-    "file: line 8: face 0 names point -1, but there are 4, counted from 0");
+    "file: line 8: cell 0 names point -1, but there are 4, counted from 0");
   EXPECT_EQ(errorOf(kQuad + "POLYGONS 2 4\n3 0 1 2\n"),
     "file: line 8: cell 1 is not within the list of its section");
   EXPECT_EQ(errorOf(kQuad + "POLYGONS 3 3\nOFFSETS int\n0 3 2\nCONNECTIVITY int\n0 1 2\n"),

@@ -51,9 +51,25 @@ TEST(Obj, JoinsContinuedLines)
   EXPECT_EQ(parse("# C:\\models\\\nv 0 1 2\n").points.size(), 1U);
 }
 
+TEST(Obj, ReadsLinesAsCurves)
+{
+  const Model model = parse(kSquare + "l 1 2 3\nvn 0 0 1\nl 1/1 -1\nl 4\nl 1 2 \\\n 1 # closed\n");
+  EXPECT_EQ(model.curves.corners, (std::vector<scan::Index>{ 0, 1, 2, 0, 3, 0, 1, 0 }));
+  EXPECT_EQ(model.curves.ends, (std::vector<std::size_t>{ 3, 5, 8 }));
+  EXPECT_TRUE(model.triangles.empty());
+  EXPECT_EQ(error(kSquare + "l 1 5\n"),
+    "file: line 5: a face or line refers to vertex 5, but there are 4, counted from 1");
+}
+
+TEST(Obj, KeepsNormalsOfFacesBesideLines)
+{
+  const std::string normals = "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\n";
+  EXPECT_EQ(parse(kSquare + normals + "f 1//1 2//2 3//3 4//4\nl 1 2\n").normals.size(), 4U);
+}
+
 TEST(Obj, ReadsAScanOfVerticesOnly)
 {
-  const Model mesh = parse("# scan\r\nvn 0 0 1\r\nv 1 2 3 0.5 0.5 nan\r\np 1\r\nl 1 1\r\n");
+  const Model mesh = parse("# scan\r\nvn 0 0 1\r\nv 1 2 3 0.5 0.5 nan\r\np 1\r\nl 1\r\n");
   EXPECT_EQ(mesh.points, (std::vector<Vec3>{ { 1, 2, 3 } }));
   EXPECT_TRUE(mesh.triangles.empty());
   EXPECT_TRUE(mesh.colors.empty());
@@ -105,7 +121,7 @@ TEST(Obj, LeavesOutNormalsOfCorners)
 TEST(Obj, NamesTheLineOfAMissingVertex)
 {
   EXPECT_EQ(error(kSquare + "f 1 2 3\nf 1 2 5\n"),
-    "file: line 6: a face refers to vertex 5, but there are 4, counted from 1");
+    "file: line 6: a face or line refers to vertex 5, but there are 4, counted from 1");
   EXPECT_NE(error(kSquare + "f 0 1 2\n").find("line 5"), std::string::npos);
   EXPECT_NE(error(kSquare + "f -5 1 2\n").find("line 5"), std::string::npos);
 }

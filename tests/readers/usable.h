@@ -10,6 +10,23 @@
 namespace scan::test
 {
 
+/// Whether each curve has two corners or more, and each corner a point.
+inline bool hasCurves(const Model& model)
+{
+  std::size_t begin = 0;
+  for (const std::size_t end : model.curves.ends)
+  {
+    if (end < begin + 2 || end > model.curves.corners.size())
+    {
+      return false;
+    }
+    begin = end;
+  }
+  return begin == model.curves.corners.size() &&
+    std::all_of(model.curves.corners.begin(), model.curves.corners.end(),
+      [&](Index corner) { return corner < model.points.size(); });
+}
+
 /// Whether all that a parser guarantees of its model is true.
 inline bool isUsable(const Model& model)
 {
@@ -20,7 +37,7 @@ inline bool isUsable(const Model& model)
   };
   return std::all_of(model.points.begin(), model.points.end(), isFinite) &&
     std::all_of(model.normals.begin(), model.normals.end(), isFinite) &&
-    std::all_of(model.triangles.begin(), model.triangles.end(), hasCorners) &&
+    std::all_of(model.triangles.begin(), model.triangles.end(), hasCorners) && hasCurves(model) &&
     (model.colors.empty() || model.colors.size() == model.points.size()) &&
     (model.normals.empty() || model.normals.size() == model.points.size()) &&
     std::isfinite(model.millimetresPerUnit) && model.millimetresPerUnit >= 0.0;

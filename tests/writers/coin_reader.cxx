@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints what Coin draws for a scene file: per corner of each triangle and per point a line
-// "x y z r g b"; a line "triangles N" or "points N" ahead of each kind.
+// Prints what Coin draws for a scene file: per corner of each triangle, per point and per end of
+// each line a line "x y z r g b"; a line "triangles N", "points N" or "lines N" ahead of each kind.
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
 #include <Inventor/SoInteraction.h>
@@ -22,8 +22,10 @@ struct Drawn
 {
   std::string corners;
   std::string points;
+  std::string ends;
   unsigned triangleCount = 0;
   unsigned pointCount = 0;
+  unsigned lineCount = 0;
 };
 
 SbColor colorOf(SoCallbackAction& action, int material)
@@ -72,6 +74,15 @@ void addPoint(void* drawn, SoCallbackAction* action, const SoPrimitiveVertex* po
   put(result.points, *action, *point);
 }
 
+void addLine(
+  void* drawn, SoCallbackAction* action, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b)
+{
+  auto& result = *static_cast<Drawn*>(drawn);
+  ++result.lineCount;
+  put(result.ends, *action, *a);
+  put(result.ends, *action, *b);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -94,9 +105,11 @@ int main(int argc, char** argv)
   SoCallbackAction action;
   action.addTriangleCallback(SoShape::getClassTypeId(), addTriangle, &drawn);
   action.addPointCallback(SoShape::getClassTypeId(), addPoint, &drawn);
+  action.addLineSegmentCallback(SoShape::getClassTypeId(), addLine, &drawn);
   action.apply(root);
-  std::printf("triangles %u\n%spoints %u\n%s", drawn.triangleCount, drawn.corners.c_str(),
-    drawn.pointCount, drawn.points.c_str());
+  std::printf("triangles %u\n%spoints %u\n%slines %u\n%s", drawn.triangleCount,
+    drawn.corners.c_str(), drawn.pointCount, drawn.points.c_str(), drawn.lineCount,
+    drawn.ends.c_str());
   root->unref();
   return 0;
 }

@@ -37,7 +37,8 @@ struct EzdxfResult
 {
   int complaints = 0;
   int meshes = 0;
-  TriMesh mesh; ///< triangles with corners of their own, then the points
+  TriMesh mesh;                          ///< triangles with corners of their own, then the points
+  std::vector<std::vector<Vec3>> curves; ///< closed ones end with their first point
 };
 
 EzdxfResult readWithEzdxf(const std::string& path)
@@ -65,6 +66,23 @@ EzdxfResult readWithEzdxf(const std::string& path)
     result.mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
   }
   readPoints(1);
+  std::size_t curves = 0;
+  text >> curves;
+  for (std::size_t i = 0; i < curves && text; ++i)
+  {
+    int isClosed = 0;
+    std::size_t size = 0;
+    text >> isClosed >> size;
+    std::vector<Vec3>& curve = result.curves.emplace_back(size);
+    for (Vec3& p : curve)
+    {
+      text >> p.x >> p.y >> p.z;
+    }
+    if (isClosed != 0)
+    {
+      curve.push_back(Vec3{ curve.front() });
+    }
+  }
   EXPECT_FALSE(text.fail()) << output.substr(0, 2000);
   return result;
 }
@@ -173,6 +191,23 @@ TEST_P(DxfFile, PassesTheAuditOfEzdxf)
     EXPECT_EQ(read.meshes, isPolyface ? (count + most - 1) / most : 0);
     model.triangles.clear();
     EXPECT_EQ(readWithEzdxf(this->write(model)).mesh.points, model.points);
+  }
+}
+
+TEST_P(DxfFile, HasCurvesForEzdxf)
+{
+  if (!scan::test::isInstalled("/usr/bin/python3 -c 'import ezdxf'"))
+  {
+    GTEST_SKIP() << "python3-ezdxf is not installed";
+  }
+  Model model = scan::test::withCurves(scan::test::grid(6, 4, true));
+  for (int i = 0; i < 2; ++i)
+  {
+    const EzdxfResult read = readWithEzdxf(this->write(model));
+    EXPECT_EQ(read.complaints, 0);
+    EXPECT_EQ(read.mesh.points.size(), 3 * model.triangles.size());
+    EXPECT_EQ(read.curves, scan::test::placesOf(model));
+    model.triangles.clear(); // curves alone
   }
 }
 

@@ -176,6 +176,36 @@ TEST(Glb, ComesBackFromTheReader)
   }
 }
 
+TEST(Glb, HoldsCurves)
+{
+  Model model = torus(5, {});
+  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
+  for (int i = 0; i < 2; ++i)
+  {
+    const Model read = scan::test::parse(scan::parseGltf, bytesOf(model));
+    EXPECT_EQ(read.curves, model.curves);
+    EXPECT_EQ(read.triangles, model.triangles);
+    model.triangles.clear(); // curves alone
+  }
+}
+
+TEST(Glb, HasLinesForAssimp)
+{
+  if (!scan::test::hasAssimp())
+  {
+    GTEST_SKIP() << "assimp is not installed";
+  }
+  Model model = torus(5, {});
+  model.triangles.clear();
+  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
+  const scan::test::TemporaryFolder folder;
+  scan::test::setContent(folder.file("a.glb"), bytesOf(model));
+  // two segments of the open one, three of the closed one
+  const std::string info = "assimp info " + folder.file("a.glb");
+  EXPECT_EQ(std::system((info + " | grep -q -E '^Faces: +5$'").c_str()), 0);
+  EXPECT_EQ(std::system((info + " | grep -q -E '^Primitive Types: +lines$'").c_str()), 0);
+}
+
 TEST(Glb, RefusesWhatItCannotHold)
 {
   EXPECT_EQ(codeOf({}), scan::ErrorCode::badInput);

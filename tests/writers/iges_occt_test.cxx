@@ -4,6 +4,7 @@
 #include "filters/geometry/mesh_checks.h"
 #include "tests/geometry/mesh_corpus.h"
 #include "tests/writers/iges_format.h"
+#include "tests/writers/models.h"
 #include "tests/writers/occt_reading.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,6 @@ namespace
 {
 
 using scan::IgesEntities;
-using scan::IgesUnit;
 using scan::TriMesh;
 using scan::Vec3;
 using scan::test::CadContent;
@@ -166,17 +166,52 @@ TEST(IgesInOcct, HasLinesAndPoints)
   expectSamePoints(readBack(mesh, IgesEntities::points).vertices, mesh.points);
 }
 
+TEST(IgesInOcct, HasCurves)
+{
+  scan::Model model = scan::test::withCurves(scan::Model{ corpus::torus(8) });
+  double length = 0.0;
+  for (const std::vector<Vec3>& curve : scan::test::placesOf(model))
+  {
+    for (std::size_t i = 1; i < curve.size(); ++i)
+    {
+      length += std::sqrt(dot(curve[i] - curve[i - 1], curve[i] - curve[i - 1]));
+    }
+  }
+  const auto contentOf = [](const scan::Model& written, IgesEntities entities)
+  {
+    const scan::test::TemporaryFolder folder;
+    scan::test::writeModel(folder.file("x.igs"), written,
+      [&](const scan::Model& m, scan::OutputFile& file, scan::Execution& execution)
+      { scan::writeIges(m, { .entities = entities }, file, execution); });
+    return scan::test::readIgesWithOcct(folder.file("x.igs"));
+  };
+  scan::Model plain = model;
+  plain.curves = {};
+  for (const IgesEntities entities : { IgesEntities::faces, IgesEntities::solid })
+  {
+    const CadContent with = contentOf(model, entities);
+    const CadContent without = contentOf(plain, entities);
+    EXPECT_EQ(with.faces, static_cast<int>(model.triangles.size()));
+    EXPECT_NEAR(with.length - without.length, length, 1e-9);
+  }
+  model.triangles.clear();
+  EXPECT_NEAR(contentOf(model, IgesEntities::faces).length, length, 1e-12);
+}
+
 TEST(IgesInOcct, HasTheUnit)
 {
-  const auto widthOf = [](IgesUnit unit)
+  const auto widthOf = [](double millimetresPerUnit)
   {
-    const CadContent content =
-      readBack(corpus::tetrahedron(), { .entities = IgesEntities::solid, .unit = unit });
+    const scan::test::TemporaryFolder folder;
+    scan::test::writeFile(folder.file("x.igs"), corpus::tetrahedron(),
+      igesFormat({ .entities = IgesEntities::solid }, millimetresPerUnit));
+    const CadContent content = scan::test::readIgesWithOcct(folder.file("x.igs"));
     const scan::BoundingBox box(content.vertices);
     return box.high.x - box.low.x;
   };
-  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::model), 1.0);
-  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::centimetre), 10.0);
-  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::metre), 1000.0);
-  EXPECT_DOUBLE_EQ(widthOf(IgesUnit::inch), 25.4);
+  EXPECT_DOUBLE_EQ(widthOf(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(widthOf(10.0), 10.0);
+  EXPECT_DOUBLE_EQ(widthOf(1000.0), 1000.0);
+  EXPECT_DOUBLE_EQ(widthOf(25.4), 25.4);
+  EXPECT_DOUBLE_EQ(widthOf(1200.0 / 3937.0 * 1000.0), 1200.0 / 3937.0 * 1000.0);
 }

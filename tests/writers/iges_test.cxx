@@ -23,7 +23,6 @@ namespace
 
 using scan::IgesEntities;
 using scan::IgesOptions;
-using scan::IgesUnit;
 using scan::TriMesh;
 using scan::Vec3;
 using scan::test::bytesOf;
@@ -187,28 +186,35 @@ TEST(Iges, WritesAScanAsPointsWhateverTheOption)
 
 TEST(Iges, NamesTheUnit)
 {
-  const auto global = [](IgesUnit unit, double millimetres)
+  const auto global = [](double millimetres)
   {
-    const std::string bytes = bytesOf(triangle(), igesFormat({ .unit = unit }, millimetres));
+    const std::string bytes = bytesOf(triangle(), igesFormat({}, millimetres));
     const std::size_t begin = bytes.find(",1.,") + 4;
     return bytes.substr(begin, bytes.find(",1,0.01,") - begin);
   };
-  EXPECT_EQ(global(IgesUnit::model, 0.0), "2,2HMM");
-  EXPECT_EQ(global(IgesUnit::model, 1.0), "2,2HMM");
-  EXPECT_EQ(global(IgesUnit::model, 10.0), "10,2HCM");
-  EXPECT_EQ(global(IgesUnit::model, 1000.0), "6,1HM");
-  EXPECT_EQ(global(IgesUnit::model, 25.4), "1,4HINCH");
-  EXPECT_EQ(global(IgesUnit::inch, 1.0), "1,4HINCH");
-  EXPECT_EQ(global(IgesUnit::metre, 0.0), "6,1HM");
-  EXPECT_EQ(global(IgesUnit::centimetre, 0.0), "10,2HCM");
-  EXPECT_EQ(global(IgesUnit::millimetre, 1000.0), "2,2HMM");
+  EXPECT_EQ(global(0.0), "2,2HMM");
+  EXPECT_EQ(global(1.0), "2,2HMM");
+  EXPECT_EQ(global(10.0), "10,2HCM");
+  EXPECT_EQ(global(1000.0), "6,1HM");
+  EXPECT_EQ(global(25.4), "1,4HINCH");
+  EXPECT_EQ(global(304.8), "4,2HFT");
+}
+
+TEST(Iges, ConvertsUnitsThatItHasNoNameFor)
+{
+  constexpr double kSurveyFoot = 1200.0 / 3937.0 * 1000.0;
+  TriMesh scaled = triangle();
+  for (Vec3& p : scaled.points)
+  {
+    p = p * kSurveyFoot;
+  }
+  EXPECT_EQ(bytesOf(triangle(), igesFormat({}, kSurveyFoot)), bytesOf(scaled, igesFormat({}, 1.0)));
 }
 
 TEST(Iges, RefusesWhatItCannotHold)
 {
   TriMesh mesh = triangle();
   EXPECT_TRUE(contains(errorOf({}, igesFormat(IgesEntities::faces)), "badInput"));
-  EXPECT_TRUE(contains(errorOf(mesh, igesFormat({}, 7.0)), "no name for a unit of 7.0"));
   mesh.points[1].x = std::nan("");
   EXPECT_TRUE(contains(errorOf(mesh, igesFormat(IgesEntities::points)), "point 1 has"));
 }

@@ -127,6 +127,27 @@ inline Model grid(Index rows, Index columns, bool isClosed)
   return model;
 }
 
+/// The model with an open and a closed curve through its first points, which are at least five.
+inline Model withCurves(Model model)
+{
+  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
+  return model;
+}
+
+/// The points along each curve of a model.
+inline std::vector<std::vector<Vec3>> placesOf(const Model& model)
+{
+  std::vector<std::vector<Vec3>> places(model.curves.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    for (const Index corner : model.curves[i])
+    {
+      places[i].push_back(model.points[corner]);
+    }
+  }
+  return places;
+}
+
 /// Triangles that share no point.
 inline Model scattered(Index count)
 {

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The Scanwrap authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Prints what ezdxf finds in a DXF file: its complaints, the number of polyface meshes, the number
-of triangles, three corners of each, the number of points, the points."""
+of triangles, three corners of each, the number of points, the points, the number of curves, and a
+line for each: whether it is closed, how many points, the points."""
 import sys
 
 import ezdxf
@@ -10,6 +11,7 @@ document = ezdxf.readfile(sys.argv[1])
 audit = document.audit()
 triangles = []
 points = []
+curves = []
 meshes = 0
 for entity in document.modelspace():
     kind = entity.dxftype()
@@ -20,6 +22,8 @@ for entity in document.modelspace():
     elif kind == "POLYLINE" and entity.is_poly_face_mesh:
         meshes += 1
         triangles += [tuple(v.dxf.location for v in face[:-1]) for face in entity.faces()]
+    elif kind == "POLYLINE" and entity.is_3d_polyline:
+        curves.append((entity.is_closed, [vertex.dxf.location for vertex in entity.vertices]))
     elif kind == "POINT":
         points.append(entity.dxf.location)
     else:
@@ -32,3 +36,6 @@ for triangle in triangles:
 print(len(points))
 for point in points:
     print(*(repr(x) for x in point))
+print(len(curves))
+for is_closed, places in curves:
+    print(int(is_closed), len(places), *(repr(x) for place in places for x in place))

@@ -78,6 +78,20 @@ TEST(RoundTrip, KeepsEveryBitInPlyAndObj)
   expectSameBits(parse(scan::parseObj, bytesOf(mesh, objFormat())), mesh);
 }
 
+TEST(RoundTrip, KeepsCurvesInObj)
+{
+  scan::Model model{ bentStrip(20) };
+  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
+  const scan::test::TemporaryFolder folder;
+  scan::Execution execution;
+  scan::OutputFile file(folder.file("a.obj"));
+  scan::writeObj(model, file, execution);
+  file.commit();
+  const std::string text = scan::test::contentOf(folder.file("a.obj"));
+  EXPECT_EQ(parse(scan::parseObj, text).curves, model.curves);
+  EXPECT_NE(text.find("\nl 4 2 5\nl 1 3 4 1\n"), std::string::npos);
+}
+
 TEST(RoundTrip, KeepsPlyWithFloatCoordinates)
 {
   const TriMesh mesh = scan::test::rounded(bentStrip(100));

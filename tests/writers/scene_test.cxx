@@ -56,6 +56,13 @@ Model readWithCoin(const std::string& path)
     model.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
   }
   readLines("points", 1);
+  const auto first = static_cast<scan::Index>(model.points.size());
+  const std::size_t lines = readLines("lines", 2);
+  for (scan::Index i = 0; i < lines; ++i)
+  {
+    model.curves.corners.insert(model.curves.corners.end(), { first + 2 * i, first + 2 * i + 1 });
+    model.curves.endLine();
+  }
   EXPECT_FALSE(text.fail());
   return model;
 }
@@ -192,6 +199,33 @@ TEST_P(SceneFile, IsDrawnByCoinInItsColors)
   const Model scan = reread(readWithCoin, points, this->GetParam().format);
   EXPECT_TRUE(scan.points == points.points);
   EXPECT_TRUE(scan.colors == points.colors);
+}
+
+TEST_P(SceneFile, IsDrawnByCoinWithItsCurves)
+{
+  const Model plain = scan::test::withCurves(scan::test::grid(6, 4, true));
+  Model alone = scan::test::colored(plain);
+  alone.triangles.clear();
+  for (const Model& model : { plain, scan::test::colored(plain), alone })
+  {
+    const Model read = reread(readWithCoin, model, this->GetParam().format);
+    EXPECT_EQ(read.triangles.size(), model.triangles.size());
+    std::vector<std::vector<Vec3>> segments;
+    for (const std::vector<Vec3>& curve : scan::test::placesOf(model))
+    {
+      for (std::size_t i = 1; i < curve.size(); ++i)
+      {
+        segments.push_back({ curve[i - 1], curve[i] });
+      }
+    }
+    EXPECT_EQ(scan::test::placesOf(read), segments);
+    for (std::size_t i = 0; i < read.curves.corners.size() && !model.colors.empty(); ++i)
+    {
+      const scan::Index end = read.curves.corners[i];
+      const auto at = std::ranges::find(model.points, read.points[end]) - model.points.begin();
+      EXPECT_EQ(read.colors[end], model.colors[static_cast<std::size_t>(at)]);
+    }
+  }
 }
 
 #else

@@ -38,6 +38,7 @@ Model colouredStrip()
     model.colors.push_back({ static_cast<std::uint8_t>(i), 7, 255 });
     model.normals.push_back({ 0.6, 0.0, i % 2 == 0 ? 0.8 : -0.8 });
   }
+  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
   model.millimetresPerUnit = 25.4;
   return model;
 }
@@ -105,6 +106,7 @@ void expectSame(const Model& a, const Model& b)
 {
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.curves, b.curves);
   EXPECT_EQ(a.colors, b.colors);
   EXPECT_EQ(a.normals, b.normals);
   EXPECT_EQ(a.millimetresPerUnit, b.millimetresPerUnit);
@@ -169,6 +171,7 @@ TEST(Vtp, KeepsScans)
   const TemporaryFolder folder;
   Model scan = colouredStrip();
   scan.triangles.clear();
+  scan.curves = {};
   ASSERT_EQ(write(folder.file("a.vtp"), dataOf(scan)), 1);
   expectSame(read(folder.file("a.vtp")).model, scan);
 }

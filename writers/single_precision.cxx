@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "writers/single_precision.h"
+
+#include "filters/base/error.h"
+#include "filters/geometry/bounding_box.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scan
+{
+namespace
+{
+
+Vec3 rounded(const Vec3& p)
+{
+  return { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) };
+}
+
+} // namespace
+
+void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::string& format)
+{
+  const auto fits = [](double value)
+  { return std::abs(value) <= std::numeric_limits<float>::max(); };
+  if (!std::all_of(mesh.points.begin(), mesh.points.end(),
+        [&](const Vec3& p) { return fits(p.x) && fits(p.y) && fits(p.z); }))
+  {
+    throw Error(ErrorCode::limit,
+      file + ": a coordinate exceeds 3.4e38, the limit of " + format + "; write PLY or OBJ");
+  }
+}
+
+std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points)
+{
+  std::vector<Vec3> result(points.size());
+  std::ranges::transform(points, result.begin(), rounded);
+  return result;
+}
+
+std::string noteOnRounding(const std::vector<Vec3>& points)
+{
+  constexpr double kNoteworthy = 1e-6; // of the size
+  double most = 0.0;
+  for (const Vec3& point : points)
+  {
+    const Vec3 change = rounded(point) - point;
+    most = std::max(most, dot(change, change));
+  }
+  most = std::sqrt(most);
+  const double size = BoundingBox(points).diagonal();
+  if (!(most > kNoteworthy * size) || !std::isfinite(most))
+  {
+    return {};
+  }
+  return fmt::format(
+    "the format holds 7 digits, so that points of this model, which is far from the "
+    "origin, move by up to {:.2g}; write PLY, OBJ or ascii STL to keep them",
+    most);
+}
+
+} // namespace scan

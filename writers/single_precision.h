@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/geometry/mesh.h"
+
+#include <string>
+#include <vector>
+
+/// What formats with coordinates of float32 do to a model.
+namespace scan
+{
+
+/// Throws Error limit when a coordinate exceeds what a float32 of the format holds.
+void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::string& format);
+
+/// The points as float32.
+std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points);
+
+/// One line on what rounding to float32 does to a model that is far from the origin: when it moves
+/// a point by more than a millionth of the diagonal of the bounding box; else empty.
+std::string noteOnRounding(const std::vector<Vec3>& points);
+
+} // namespace scan
