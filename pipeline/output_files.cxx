@@ -53,7 +53,7 @@ void checkOutput(const std::string& path, bool mayReplace)
       path + ": cannot be a file: " + std::generic_category().message(errno) +
         "; choose another name");
   }
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
+  const std::filesystem::path parent = std::filesystem::path(behindLinks(path)).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
   {
@@ -61,6 +61,26 @@ void checkOutput(const std::string& path, bool mayReplace)
       path + ": cannot write into the folder " + folder + ": " +
         std::generic_category().message(errno));
   }
+}
+
+bool isSameFile(const std::string& a, const std::string& b)
+{
+  if (a == b || a == "-" || b == "-")
+  {
+    return a == b;
+  }
+  std::error_code ignored;
+  const auto place = [&](const std::string& path)
+  {
+    return std::filesystem::weakly_canonical(
+      std::filesystem::absolute(behindLinks(path), ignored), ignored);
+  };
+  return std::filesystem::equivalent(a, b, ignored) || place(a) == place(b);
+}
+
+void removeUnfinishedOutputs() noexcept
+{
+  OutputFile::removeParts();
 }
 
 void writeText(const std::string& path, std::string_view text)

@@ -3,6 +3,7 @@
 #include "readers/gltf.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/srgb.h"
 #include "readers/coordinate_check.h"
 #include "readers/gltf_document.h"
 #include "readers/gltf_scene.h"
@@ -69,11 +70,6 @@ bool isUsable(const Vec3& point)
   constexpr double kLargest = CoordinateCheck::kLargest;
   return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest &&
     std::abs(point.z) <= kLargest; // false for NaN
-}
-
-std::uint8_t byteOf(double fraction)
-{
-  return static_cast<std::uint8_t>(fraction > 0.0 ? std::min(fraction, 1.0) * 255.0 + 0.5 : 0.0);
 }
 
 /// Fills a model from the scene of a document.
@@ -308,7 +304,7 @@ private:
     if (this->HasColors)
     {
       const Vec3 color = set.colors ? vectorOf(*set.colors, i) : Vec3{ 1.0, 1.0, 1.0 };
-      this->Result.colors.push_back({ byteOf(color.x), byteOf(color.y), byteOf(color.z) });
+      this->Result.colors.push_back({ channelOf(color.x), channelOf(color.y), channelOf(color.z) });
     }
   }
 

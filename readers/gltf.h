@@ -18,9 +18,9 @@ namespace scan
 /// nodes, in double precision. Without scenes, all nodes count. Primitives of a mesh that
 /// share their vertices share them in the model; a mesh that several nodes show comes as often.
 /// NORMAL and COLOR_0 are read; where only some primitives have them the others get normals of
-/// length 0 and white. Colours are taken as they are stored. Skins, morph targets, materials and
-/// animations are not used. Coordinates are in metres: millimetresPerUnit is 1000; the axes stay as
-/// they are, which is +y upwards.
+/// length 0 and white. Colours are linear light in the file and become sRGB. Skins, morph targets,
+/// materials and animations are not used. Coordinates are in metres: millimetresPerUnit is 1000;
+/// the axes stay as they are, which is +y upwards.
 ///
 /// Throws Error parse for malformed or truncated data, for buffers in files of their own, sparse
 /// accessors and required extensions that change the geometry (Draco, meshopt, ...), for corners

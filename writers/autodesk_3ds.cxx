@@ -4,7 +4,9 @@
 
 #include "filters/base/error.h"
 #include "writers/mesh_parts.h"
+#include "writers/requirements.h"
 #include "writers/single_precision.h"
+#include "writers/size_limit.h"
 #include "writers/write_progress.h"
 
 #include <array>
@@ -133,11 +135,7 @@ void writeObject(const Model& model, const Object& object, PartNumbering& number
 
 void writeAutodesk3ds(const Model& model, OutputFile& file, Execution& execution)
 {
-  if (model.triangles.empty())
-  {
-    throw Error(ErrorCode::badInput,
-      file.name() + ": no triangles to write; 3DS holds surfaces, write points as PLY or OBJ");
-  }
+  requireTriangles(model, file, "3DS");
   requireFloatRange(model, file.name(), "3DS");
   const std::vector<Object> objects = objectsOf(model, execution);
   std::uint64_t editorSize = kHeader + 2 * (kHeader + kNumber);
@@ -146,11 +144,7 @@ void writeAutodesk3ds(const Model& model, OutputFile& file, Execution& execution
     editorSize += object.size();
   }
   const std::uint64_t size = kHeader + (kHeader + kNumber) + editorSize;
-  if (size > std::numeric_limits<std::uint32_t>::max())
-  {
-    throw Error(
-      ErrorCode::limit, file.name() + ": more than 4 GiB, the limit of 3DS; decimate or write PLY");
-  }
+  fourBytes(size, file.name() + ": more than 4 GiB, the limit of 3DS");
   constexpr std::uint32_t kVersion = 3;
   constexpr float kScale = 1.0F;
   startChunk(file, Chunk::main, size);

@@ -5,6 +5,7 @@
 #include "filters/base/error.h"
 #include "filters/geometry/bounding_box.h"
 #include "writers/mesh_parts.h"
+#include "writers/requirements.h"
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
@@ -144,10 +145,7 @@ void writeCurves(const Model& model, DxfStream& dxf)
 
 void writeDxf(const Model& model, const DxfOptions& options, OutputFile& file, Execution& execution)
 {
-  if (model.points.empty())
-  {
-    throw Error(ErrorCode::badInput, file.name() + ": no points to write; check the input");
-  }
+  requirePoints(model, file);
   DxfStream dxf(file);
   writeHeader(model, dxf);
   if (model.isScan())

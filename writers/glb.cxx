@@ -4,6 +4,11 @@
 
 #include "filters/base/error.h"
 #include "filters/geometry/bounding_box.h"
+#include "filters/geometry/srgb.h"
+#include "writers/requirements.h"
+#include "writers/single_precision.h"
+#include "writers/size_limit.h"
+#include "writers/write_progress.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,15 +29,16 @@ static_assert(std::endian::native == std::endian::little, "numbers are written i
 
 using Json = nlohmann::ordered_json;
 using FloatVec = std::array<float, 3>;
+using Rgba = std::array<std::uint16_t, 4>;
 
-constexpr std::size_t kStep = 1U << 16U;
+constexpr std::uint16_t kOpaque = 65535; // and full light
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
 
 /// Numbers of the glTF specification.
 enum GlTf : int
 {
-  kUnsignedByte = 5121,
+  kUnsignedShort = 5123,
   kUnsignedInt = 5125,
   kFloat = 5126,
   kVertexBuffer = 34962,
@@ -50,38 +56,37 @@ FloatVec stored(const Vec3& point, const Vec3& origin)
     static_cast<float>(offset.z) };
 }
 
-bool isFloat(const Vec3& point)
-{
-  const auto [x, y, z] = stored(point, {});
-  return x == point.x && y == point.y && z == point.z;
-}
-
 double largest(const Vec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
-/// What coordinates are stored relative to: the middle of what is far from the origin and has more
-/// digits than float32.
-Vec3 originOf(const std::vector<Vec3>& points, const BoundingBox& box)
+/// The normals of the model with length 1, which glTF demands: that of the surface, or any, where
+/// there is none.
+std::vector<Vec3> unitNormals(const Model& model)
 {
-  const bool isFar = std::max(largest(box.low), largest(box.high)) > largest(box.high - box.low);
-  return isFar && !std::ranges::all_of(points, isFloat) ? (box.low + box.high) * 0.5 : Vec3{};
-}
-
-/// Calls visit(i) for [0, n) and reports progress; `done` of `total` is in front of them.
-template <class Visit>
-void forEach(
-  Execution& execution, std::size_t n, std::size_t& done, std::size_t total, const Visit& visit)
-{
-  for (std::size_t i = 0; i < n; ++i)
+  const auto isNone = [](const Vec3& normal) { return dot(normal, normal) == 0.0; };
+  std::vector<Vec3> normals = model.normals;
+  std::vector<Vec3> sides;
+  if (std::ranges::any_of(normals, isNone))
   {
-    if (done++ % kStep == 0)
+    sides.resize(normals.size());
+    for (const auto& [a, b, c] : model.triangles)
     {
-      execution.step("write", done, total);
+      const Vec3 side = cross(model.points[b] - model.points[a], model.points[c] - model.points[a]);
+      for (const Index corner : { a, b, c })
+      {
+        sides[corner] = sides[corner] + side;
+      }
     }
-    visit(i);
   }
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    const Vec3& found = isNone(normals[i]) ? sides[i] : normals[i];
+    const double length = std::sqrt(dot(found, found));
+    normals[i] = std::isnormal(length) ? found * (1.0 / length) : Vec3{ 0.0, 0.0, 1.0 };
+  }
+  return normals;
 }
 
 /// Writes one model.
@@ -91,32 +96,24 @@ public:
   GlbWriter(const Model& model, OutputFile& file, Execution& execution)
     : Source(model)
     , File(file)
-    , Run(execution)
+    , Progress(execution,
+        model.points.size() + model.normals.size() + model.colors.size() + model.triangles.size() +
+          model.curves.corners.size())
     , Box(model.points)
-    , Origin(originOf(model.points, this->Box))
-    , Total(model.points.size() + model.normals.size() + model.colors.size() +
-        model.triangles.size() + model.curves.corners.size())
+    , Origin(originForFloats(model.points))
   {
   }
 
   void write()
   {
-    if (this->Source.points.empty())
-    {
-      throw Error(ErrorCode::badInput, this->File.name() + ": no points to write");
-    }
+    requirePoints(this->Source, this->File);
     this->checkRange();
     const std::string json = this->describe();
-    constexpr std::uint64_t kLargest = std::numeric_limits<std::uint32_t>::max();
-    const std::uint64_t size =
-      kHeaderSize + kChunkHeaderSize + json.size() + kChunkHeaderSize + this->Size;
-    if (size > kLargest)
-    {
-      throw Error(ErrorCode::limit,
-        this->File.name() + ": more than 4 GiB, the limit of GLB; decimate, or write PLY");
-    }
+    const std::uint32_t size =
+      fourBytes(kHeaderSize + kChunkHeaderSize + json.size() + kChunkHeaderSize + this->Size,
+        this->File.name() + ": more than 4 GiB, the limit of GLB");
     this->File.write("glTF");
-    this->put(std::array<std::uint32_t, 2>{ 2, static_cast<std::uint32_t>(size) });
+    this->put(std::array<std::uint32_t, 2>{ 2, size });
     this->put(static_cast<std::uint32_t>(json.size()));
     this->File.write("JSON");
     this->File.write(json);
@@ -184,7 +181,7 @@ private:
     }
     if (!this->Source.colors.empty())
     {
-      const std::size_t colors = this->addAttribute(json, 4, "VEC4", kUnsignedByte);
+      const std::size_t colors = this->addAttribute(json, sizeof(Rgba), "VEC4", kUnsignedShort);
       json["accessors"][colors]["normalized"] = true;
       attributes["COLOR_0"] = colors;
     }
@@ -204,7 +201,13 @@ private:
     {
       const std::size_t view = this->addView(json, corners * sizeof(Index), kIndexBuffer);
       primitives.push_back({ { "attributes", attributes }, { "mode", kTriangles },
-        { "indices", addAccessor(json, view, corners, "SCALAR", kUnsignedInt) } });
+        { "indices", addAccessor(json, view, corners, "SCALAR", kUnsignedInt) },
+        { "material", 0 } });
+      // the default looks like dark metal, and is not there from behind
+      json["materials"] = {
+        { { "pbrMetallicRoughness", { { "metallicFactor", 0.0 }, { "roughnessFactor", 0.8 } } },
+          { "doubleSided", true } }
+      };
     }
     const Polylines& curves = this->Source.curves;
     const std::size_t view =
@@ -257,34 +260,38 @@ private:
     return text;
   }
 
+  template <class Values, class Stored>
+  void putAll(const Values& values, const Stored& stored)
+  {
+    for (const auto& value : values)
+    {
+      this->Progress.next();
+      this->put(stored(value));
+    }
+  }
+
   void writeBuffer()
   {
     const Model& model = this->Source;
-    forEach(this->Run, model.points.size(), this->Done, this->Total,
-      [&](std::size_t i) { this->put(stored(model.points[i], this->Origin)); });
-    forEach(this->Run, model.normals.size(), this->Done, this->Total,
-      [&](std::size_t i) { this->put(stored(model.normals[i], {})); });
-    forEach(this->Run, model.colors.size(), this->Done, this->Total,
-      [&](std::size_t i)
+    const auto asItIs = [](const auto& value) { return value; };
+    this->putAll(model.points, [this](const Vec3& point) { return stored(point, this->Origin); });
+    this->putAll(unitNormals(model), [](const Vec3& normal) { return stored(normal, {}); });
+    this->putAll(model.colors,
+      [](const Color& color)
       {
-        const auto& [red, green, blue] = model.colors[i];
-        this->put(Rgba{ red, green, blue, 255 });
+        const auto light = [&](std::size_t i)
+        { return static_cast<std::uint16_t>(linearOf(color[i]) * kOpaque + 0.5); };
+        return Rgba{ light(0), light(1), light(2), kOpaque };
       });
-    forEach(this->Run, model.triangles.size(), this->Done, this->Total,
-      [&](std::size_t i) { this->put(model.triangles[i]); });
-    forEach(this->Run, model.curves.corners.size(), this->Done, this->Total,
-      [&](std::size_t i) { this->put(model.curves.corners[i]); });
+    this->putAll(model.triangles, asItIs);
+    this->putAll(model.curves.corners, asItIs);
   }
-
-  using Rgba = std::array<std::uint8_t, 4>;
 
   const Model& Source;
   OutputFile& File;
-  Execution& Run;
+  WriteProgress Progress;
   BoundingBox Box;
   Vec3 Origin;
-  std::size_t Total; // of the steps
-  std::size_t Done = 0;
   std::size_t Size = 0; // of the buffer; every part is a multiple of four bytes
 };
 
@@ -293,19 +300,6 @@ private:
 void writeGlb(const Model& model, OutputFile& file, Execution& execution)
 {
   GlbWriter(model, file, execution).write();
-}
-
-std::vector<Vec3> glbPoints(const std::vector<Vec3>& points)
-{
-  const Vec3 origin = originOf(points, BoundingBox(points));
-  std::vector<Vec3> result(points.size());
-  std::ranges::transform(points, result.begin(),
-    [&](const Vec3& point)
-    {
-      const auto [x, y, z] = stored(point, origin);
-      return Vec3{ x, y, z };
-    });
-  return result;
 }
 
 } // namespace scan

@@ -19,15 +19,13 @@ namespace scan
 /// rounding is about 6e-8 of the size of the model. The axes stay as they are; a viewer shows +y
 /// upwards.
 ///
-/// A scan becomes a mesh of points, a curve a strip or loop of lines. Colours become COLOR_0, bytes
-/// as they are with alpha 255; normals become NORMAL, one of length 0 as it is. The same model
-/// gives the same bytes.
+/// A scan becomes a mesh of points, a curve a strip or loop of lines. Triangles have a material
+/// that is no metal and visible from both sides. Colours become COLOR_0, linear light of 16 bits as
+/// glTF wants it, from which the bytes come back; normals become NORMAL, one of length 0 that of
+/// the surface. The same model gives the same bytes.
 ///
 /// Throws Error badInput for a model without points; Error limit for coordinates beyond float32 and
 /// for 4 GiB of data. Phase "write".
 void writeGlb(const Model& model, OutputFile& file, Execution& execution);
-
-/// The points of a model as writeGlb() stores them, from their origin on.
-std::vector<Vec3> glbPoints(const std::vector<Vec3>& points);
 
 } // namespace scan

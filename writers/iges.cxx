@@ -3,10 +3,12 @@
 #include "writers/iges.h"
 
 #include "filters/base/error.h"
+#include "filters/base/unit.h"
 #include "filters/geometry/bounding_box.h"
 #include "writers/iges_file.h"
 #include "writers/iges_polyline.h"
 #include "writers/iges_solid.h"
+#include "writers/requirements.h"
 #include "writers/triangle_plane.h"
 
 #include <algorithm>
@@ -35,9 +37,8 @@ constexpr std::array<NamedUnit, 10> kUnits = { { { 1.0, 2, "MM" }, { 10.0, 10, "
 const NamedUnit* unitOf(const Model& model)
 {
   const double millimetres = model.millimetresPerUnit == 0.0 ? 1.0 : model.millimetresPerUnit;
-  const auto* const found = std::ranges::find_if(kUnits,
-    [&](const NamedUnit& named)
-    { return std::abs(millimetres - named.millimetres) <= 1e-9 * named.millimetres; });
+  const auto* const found = std::ranges::find_if(
+    kUnits, [&](const NamedUnit& named) { return isSameUnit(millimetres, named.millimetres); });
   return found != kUnits.end() ? found : nullptr;
 }
 
@@ -58,10 +59,7 @@ bool isFinite(const Vec3& p)
 
 void requireWritable(const Model& model, const OutputFile& file)
 {
-  if (model.points.empty())
-  {
-    throw Error(ErrorCode::badInput, file.name() + ": no points and no triangles to write as IGES");
-  }
+  requirePoints(model, file);
   const auto bad = std::ranges::find_if_not(model.points, isFinite);
   if (bad != model.points.end())
   {

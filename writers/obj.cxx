@@ -3,6 +3,7 @@
 #include "writers/obj.h"
 
 #include "writers/color_text.h"
+#include "writers/requirements.h"
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
@@ -39,6 +40,7 @@ TextLine cornersOf(const Triangle& triangle, bool hasNormals)
 
 void writeObj(const Model& model, OutputFile& file, Execution& execution)
 {
+  requirePoints(model, file);
   WriteProgress progress(execution,
     model.points.size() + model.normals.size() + model.triangles.size() + model.curves.size());
   file.write("# OBJ by Scanwrap\n");

@@ -13,7 +13,9 @@ namespace scan
 /// file. A scan becomes a file of vertices only. Colours are reals of 0 to 1 behind the
 /// coordinates, of four decimals, which give the same byte whether a reader rounds or cuts. Normals
 /// are "vn", in the order of the vertices, and corners then are "a//a". The same model gives the
-/// same bytes. Phase "write".
+/// same bytes.
+///
+/// Throws Error badInput without points. Phase "write".
 void writeObj(const Model& model, OutputFile& file, Execution& execution);
 
 } // namespace scan

@@ -3,6 +3,7 @@
 #include "writers/off.h"
 
 #include "writers/color_text.h"
+#include "writers/requirements.h"
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
@@ -11,6 +12,7 @@ namespace scan
 
 void writeOff(const Model& model, OutputFile& file, Execution& execution)
 {
+  requirePoints(model, file);
   const bool isColored = !model.colors.empty();
   WriteProgress progress(execution, model.points.size() + model.triangles.size());
   file.write(isColored ? "COFF\n" : "OFF\n");

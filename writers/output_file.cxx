@@ -4,7 +4,11 @@
 
 #include "filters/base/error.h"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -36,23 +40,13 @@ std::string partName(const std::string& target)
   return part;
 }
 
-/// The file behind symbolic links, whether it exists or not; empty for links in a circle.
-std::string behindLinks(const std::string& path)
+/// The parts with a name, for the handler of a signal.
+struct PartSlot
 {
-  constexpr int kMostLinks = 40;
-  std::filesystem::path target = path;
-  std::error_code status;
-  for (int i = 0; i < kMostLinks; ++i)
-  {
-    const std::filesystem::path next = std::filesystem::read_symlink(target, status);
-    if (status)
-    {
-      return target.string();
-    }
-    target = target.parent_path() / next;
-  }
-  return {};
-}
+  std::atomic<const OutputFile*> owner = nullptr;
+  std::array<char, PATH_MAX> path = {};
+};
+std::array<PartSlot, 16> partSlots; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 /// A file without a name in the target's folder, which vanishes however the program ends; -1 where
 /// the system has none.
@@ -68,7 +62,7 @@ int openUnnamed(const std::string& target)
 
 } // namespace
 
-OutputFile::OutputFile(const std::string& path)
+OutputFile::OutputFile(const std::string& path, Part part)
   : Name(path == "-" ? "standard output" : path)
 {
   this->Buffer.reserve(kBufferBytes);
@@ -97,7 +91,7 @@ OutputFile::OutputFile(const std::string& path)
   {
     this->fail(errno);
   }
-  this->openPart();
+  this->openPart(part);
   if (isThere && ::fchmod(this->Descriptor, status.st_mode & 07777U) != 0)
   {
     this->fail(errno);
@@ -110,15 +104,44 @@ OutputFile::~OutputFile()
   {
     ::close(this->Descriptor);
   }
-  if (!this->Part.empty())
+  if (!this->PartPath.empty())
   {
-    ::unlink(this->Part.c_str());
+    ::unlink(this->PartPath.c_str());
+    this->setPart({});
   }
 }
 
-void OutputFile::openPart()
+void OutputFile::removeParts() noexcept
 {
-  this->Descriptor = openUnnamed(this->Target);
+  for (const PartSlot& slot : partSlots)
+  {
+    if (slot.owner.load() != nullptr)
+    {
+      ::unlink(slot.path.data());
+    }
+  }
+}
+
+/// Remembers the part under its name, or that it has none any more.
+void OutputFile::setPart(const std::string& path)
+{
+  const OutputFile* const owner = path.empty() ? this : nullptr; // of the slot that is wanted
+  const auto slot = std::ranges::find_if(
+    partSlots, [&](const PartSlot& candidate) { return candidate.owner.load() == owner; });
+  if (slot != partSlots.end() && path.size() < slot->path.size())
+  {
+    if (!path.empty())
+    {
+      slot->path[path.copy(slot->path.data(), slot->path.size() - 1)] = '\0';
+    }
+    slot->owner.store(path.empty() ? nullptr : this);
+  }
+  this->PartPath = path;
+}
+
+void OutputFile::openPart(Part kind)
+{
+  this->Descriptor = kind == Part::unnamed ? openUnnamed(this->Target) : -1;
   if (this->Descriptor >= 0)
   {
     return;
@@ -134,7 +157,7 @@ void OutputFile::openPart()
   {
     this->fail(errno);
   }
-  this->Part = part;
+  this->setPart(part);
 }
 
 void OutputFile::namePart()
@@ -151,22 +174,26 @@ void OutputFile::namePart()
   {
     this->fail(errno);
   }
-  this->Part = part;
+  this->setPart(part);
 }
 
 void OutputFile::flush()
 {
-  std::string_view rest(this->Buffer.data(), this->Buffer.size());
-  while (!rest.empty())
+  this->writeOut({ this->Buffer.data(), this->Buffer.size() });
+  this->Buffer.clear();
+}
+
+void OutputFile::writeOut(std::string_view bytes)
+{
+  while (!bytes.empty())
   {
-    const ssize_t written = ::write(this->Descriptor, rest.data(), rest.size());
+    const ssize_t written = ::write(this->Descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno != EINTR)
     {
       this->fail(errno);
     }
-    rest.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+    bytes.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
   }
-  this->Buffer.clear();
 }
 
 void OutputFile::commit()
@@ -180,15 +207,15 @@ void OutputFile::commit()
   {
     this->fail(errno);
   }
-  if (this->Part.empty())
+  if (this->PartPath.empty())
   {
     this->namePart();
   }
-  if (::rename(this->Part.c_str(), this->Target.c_str()) != 0)
+  if (::rename(this->PartPath.c_str(), this->Target.c_str()) != 0)
   {
     this->fail(errno);
   }
-  this->Part.clear();
+  this->setPart({});
 }
 
 void OutputFile::fail(int error) const
@@ -205,6 +232,23 @@ void OutputFile::fail(int error) const
                                     : "check the name and the permissions";
   const std::string state = isDirect ? "the output is incomplete" : "nothing was written";
   throw Error(ErrorCode::io, this->Name + ": " + reason + "; " + advice + "; " + state);
+}
+
+std::string behindLinks(const std::string& path)
+{
+  constexpr int kMostLinks = 40;
+  std::filesystem::path target = path;
+  std::error_code status;
+  for (int i = 0; i < kMostLinks; ++i)
+  {
+    const std::filesystem::path next = std::filesystem::read_symlink(target, status);
+    if (status)
+    {
+      return target.string();
+    }
+    target = target.parent_path() / next;
+  }
+  return {};
 }
 
 } // namespace scan

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/ply.h"
 
+#include "writers/requirements.h"
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
@@ -119,6 +120,7 @@ void writeAscii(const Triangle& triangle, OutputFile& file)
 
 void writePly(const Model& model, const PlyOptions& options, OutputFile& file, Execution& execution)
 {
+  requirePoints(model, file);
   const bool isFloat = fitsFloat(model.points) && fitsFloat(model.normals);
   const bool isAscii = options.encoding == Encoding::ascii;
   using WriteVertex = void (*)(const Model&, std::size_t, OutputFile&);

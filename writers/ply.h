@@ -21,7 +21,9 @@ struct PlyOptions
 /// Coordinates, and normals as "nx", "ny", "nz", are declared "float" when float32 holds all of
 /// them exactly, else "double"; a file never mixes both. Colours are "uchar red", "green", "blue".
 /// Triangles are "list uchar int", "uint" beyond 2^31 points; a scan has no element "face". The
-/// same model gives the same bytes. Phase "write".
+/// same model gives the same bytes.
+///
+/// Throws Error badInput without points. Phase "write".
 void writePly(
   const Model& model, const PlyOptions& options, OutputFile& file, Execution& execution);
 

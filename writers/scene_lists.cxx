@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "writers/color_text.h"
+#include "writers/requirements.h"
 #include "writers/single_precision.h"
 #include "writers/text_line.h"
 
@@ -15,10 +16,7 @@ namespace scan
 
 void requireSceneLimits(const Model& model, const OutputFile& file, const std::string& format)
 {
-  if (model.points.empty())
-  {
-    throw Error(ErrorCode::badInput, file.name() + ": no points to write; check the input");
-  }
+  requirePoints(model, file);
   constexpr auto kMostPoints = std::size_t{ std::numeric_limits<std::int32_t>::max() } + 1;
   if (model.points.size() > kMostPoints)
   {

@@ -21,6 +21,11 @@ Vec3 rounded(const Vec3& p)
   return { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) };
 }
 
+double largest(const Vec3& v)
+{
+  return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
+}
+
 } // namespace
 
 void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::string& format)
@@ -35,10 +40,19 @@ void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::
   }
 }
 
-std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points)
+Vec3 originForFloats(const std::vector<Vec3>& points)
+{
+  const BoundingBox box(points);
+  const bool isFar = std::max(largest(box.low), largest(box.high)) > largest(box.high - box.low);
+  const auto isFloat = [](const Vec3& p) { return rounded(p) == p; };
+  return isFar && !std::ranges::all_of(points, isFloat) ? (box.low + box.high) * 0.5 : Vec3{};
+}
+
+std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points, const Vec3& origin)
 {
   std::vector<Vec3> result(points.size());
-  std::ranges::transform(points, result.begin(), rounded);
+  std::ranges::transform(
+    points, result.begin(), [&](const Vec3& point) { return rounded(point - origin); });
   return result;
 }
 

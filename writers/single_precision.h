@@ -14,8 +14,12 @@ namespace scan
 /// Throws Error limit when a coordinate exceeds what a float32 of the format holds.
 void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::string& format);
 
-/// The points as float32.
-std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points);
+/// What coordinates had better be stored relative to: the middle of the model when it is further
+/// from the origin than it is large and float32 does not hold every coordinate; else 0 0 0.
+Vec3 originForFloats(const std::vector<Vec3>& points);
+
+/// The points as float32, from an origin on.
+std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points, const Vec3& origin = {});
 
 /// One line on what rounding to float32 does to a model that is far from the origin: when it moves
 /// a point by more than a millionth of the diagonal of the bounding box; else empty.

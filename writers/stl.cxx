@@ -3,7 +3,9 @@
 #include "writers/stl.h"
 
 #include "filters/base/error.h"
+#include "writers/requirements.h"
 #include "writers/single_precision.h"
+#include "writers/size_limit.h"
 #include "writers/text_line.h"
 
 #include <array>
@@ -11,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 
 namespace scan
@@ -34,7 +35,8 @@ void writeBinary(const TriMesh& mesh, OutputFile& file, Execution& execution)
 {
   std::string header = "binary STL by Scanwrap";
   header.resize(80, ' ');
-  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  const std::uint32_t count = fourBytes(
+    mesh.triangles.size(), file.name() + ": 4294967295 triangles or more, the limit of binary STL");
   header.append(reinterpret_cast<const char*>(&count), sizeof(count));
   file.write(header);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -92,20 +94,11 @@ void writeAscii(const TriMesh& mesh, OutputFile& file, Execution& execution)
 void writeStl(
   const TriMesh& mesh, const StlOptions& options, OutputFile& file, Execution& execution)
 {
-  if (mesh.triangles.empty())
-  {
-    throw Error(ErrorCode::badInput,
-      file.name() + ": no triangles to write; STL holds surfaces, write points as PLY or OBJ");
-  }
+  requireTriangles(mesh, file, "STL");
   if (options.encoding == Encoding::ascii)
   {
     writeAscii(mesh, file, execution);
     return;
-  }
-  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
-  {
-    throw Error(ErrorCode::limit,
-      file.name() + ": more than 4294967295 triangles, the limit of binary STL; decimate");
   }
   requireFloatRange(mesh, file.name(), "binary STL");
   writeBinary(mesh, file, execution);

@@ -19,7 +19,7 @@ struct StlOptions
 /// Writes the triangles as STL; the caller commits the file. Normals are computed, 0 0 0 for a
 /// triangle without area. The same mesh gives the same bytes.
 ///
-/// Throws Error badInput without triangles; Error limit for more than 2^32 - 1 triangles and for
+/// Throws Error badInput without triangles; Error limit for 2^32 - 1 triangles and for
 /// coordinates beyond float32, in binary. Phase "write".
 void writeStl(
   const TriMesh& mesh, const StlOptions& options, OutputFile& file, Execution& execution);

@@ -3,10 +3,16 @@
 #include "writers/threemf.h"
 
 #include "filters/base/error.h"
+#include "filters/base/unit.h"
+#include "filters/geometry/half_edges.h"
+#include "writers/requirements.h"
+#include "writers/single_precision.h"
+#include "writers/text_line.h"
 #include "writers/zip_writer.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,7 +49,7 @@ std::pair<std::string_view, double> unitOf(double millimetres)
     { "meter", 1000.0 } };
   for (const auto& [name, size] : kUnits)
   {
-    if (size == millimetres)
+    if (isSameUnit(millimetres, size))
     {
       return { name, 1.0 };
     }
@@ -84,6 +90,7 @@ public:
     : Source(model)
     , Zip(zip)
     , Run(execution)
+    , Origin(originForFloats(model.points))
     , Total(model.points.size() + model.triangles.size())
   {
     const std::size_t count = std::max<std::size_t>(4 * execution.threads(), 4);
@@ -104,24 +111,35 @@ public:
       "<metadata name=\"Application\">Scanwrap</metadata>\n"
       "<resources>\n<object id=\"1\" type=\"model\">\n<mesh>\n<vertices>\n");
     this->appendAll(this->Source.points.size(),
-      [&](std::string& text, std::size_t i) { appendVertex(text, this->Source.points[i]); });
+      [&](std::string& text, std::size_t i)
+      { appendVertex(text, this->Source.points[i] - this->Origin); });
     this->append("</vertices>\n<triangles>\n");
     this->appendAll(this->Source.triangles.size(),
       [&](std::string& text, std::size_t i) { appendTriangle(text, this->Source.triangles[i]); });
-    std::string item = "<item objectid=\"1\"";
-    if (scale != 1.0)
-    {
-      char digits[32];
-      const std::string number(digits, std::to_chars(digits, digits + sizeof(digits), scale).ptr);
-      item.append(" transform=\"").append(number).append(" 0 0 0 ").append(number);
-      item.append(" 0 0 0 ").append(number).append(" 0 0 0\"");
-    }
-    this->append("</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n" + item +
-      "/>\n</build>\n</model>\n");
+    this->append("</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"1\"" +
+      this->transform(scale) + "/>\n</build>\n</model>\n");
     this->Zip.end();
   }
 
 private:
+  /// The attribute of the item; none where everything stays in its place.
+  std::string transform(double scale) const
+  {
+    if (scale == 1.0 && this->Origin == Vec3{})
+    {
+      return {};
+    }
+    const Vec3 place = this->Origin * scale;
+    std::string matrix;
+    for (const double number :
+      { scale, 0.0, 0.0, 0.0, scale, 0.0, 0.0, 0.0, scale, place.x, place.y, place.z })
+    {
+      matrix += matrix.empty() ? "" : " ";
+      matrix += TextLine().number(number);
+    }
+    return " transform=\"" + matrix + "\"";
+  }
+
   void append(const std::string& text)
   {
     ZipBlock& block = this->Blocks.front();
@@ -167,24 +185,32 @@ private:
   ZipWriter& Zip;
   Execution& Run;
   std::vector<ZipBlock> Blocks;
+  Vec3 Origin; // of the coordinates in the file
   std::size_t Total;
   std::size_t Done = 0;
 };
 
 void check(const Model& model, const OutputFile& file)
 {
-  if (model.triangles.empty())
-  {
-    throw Error(ErrorCode::badInput,
-      file.name() + ": no triangles to write; 3MF holds surfaces, write points as PLY or OBJ");
-  }
-  const auto bad = std::find_if(model.triangles.begin(), model.triangles.end(),
-    [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  requireTriangles(model, file, "3MF");
+  const auto bad = std::ranges::find_if(model.triangles, isCollapsed);
   if (bad != model.triangles.end())
   {
     throw Error(ErrorCode::badInput,
       file.name() + ": triangle " + std::to_string(bad - model.triangles.begin()) +
         ", counted from 0, uses a point twice, which 3MF forbids; remove such triangles");
+  }
+  constexpr double kLargest = 1e9; // of lib3mf, which most programs read with
+  const Vec3 origin = originForFloats(model.points);
+  const auto isFar = [&](const Vec3& p)
+  {
+    const Vec3 place = p - origin;
+    return std::max({ std::abs(place.x), std::abs(place.y), std::abs(place.z) }) > kLargest;
+  };
+  if (std::ranges::any_of(model.points, isFar))
+  {
+    throw Error(ErrorCode::limit,
+      file.name() + ": a coordinate exceeds 1e9, the limit of 3MF; write PLY or OBJ");
   }
 }
 

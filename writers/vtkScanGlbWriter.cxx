@@ -3,6 +3,7 @@
 #include "writers/vtkScanGlbWriter.h"
 
 #include "writers/glb.h"
+#include "writers/single_precision.h"
 #include "writers/unit_note.h"
 
 #include <vtkObjectFactory.h>
@@ -17,7 +18,7 @@ void vtkScanGlbWriter::Format(
 
 std::vector<scan::Vec3> vtkScanGlbWriter::Stored(const std::vector<scan::Vec3>& points) const
 {
-  return scan::glbPoints(points);
+  return scan::roundedToFloat(points, scan::originForFloats(points));
 }
 
 std::string vtkScanGlbWriter::NoteOn(const scan::Model& model) const

@@ -9,20 +9,10 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
+#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
 vtkStandardNewMacro(vtkScanPngWriter);
-
-vtkScanPngWriter::~vtkScanPngWriter()
-{
-  this->SetFileName(nullptr);
-}
-
-void vtkScanPngWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName != nullptr ? this->FileName : "(none)") << "\n";
-}
 
 int vtkScanPngWriter::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -30,35 +20,28 @@ int vtkScanPngWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkScanPngWriter::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkScanPngWriter::WriteFile(
+  vtkDataObject& input, scan::OutputFile& file, scan::Execution& execution)
 {
-  // the superclass calls WriteData() and cannot tell that it failed
-  this->Superclass::RequestData(request, inputVector, outputVector);
-  return this->GetOutcome().state == vtkScanOutcome::State::failed ? 0 : 1;
-}
-
-void vtkScanPngWriter::WriteData()
-{
-  this->RunGuarded(*this, nullptr,
-    [this](scan::Execution& execution)
-    {
-      vtkImageData* input = vtkImageData::SafeDownCast(this->GetInput());
-      if (this->FileName == nullptr || input == nullptr)
-      {
-        throw scan::Error(scan::ErrorCode::badParameter, "no file name or no picture to write");
-      }
-      execution.plan({ { "write", 1.0 } });
-      execution.step("write", 0, 1);
-      vtkNew<vtkPNGWriter> encoder;
-      encoder->SetInputData(input);
-      encoder->WriteToMemoryOn();
-      encoder->Write();
-      vtkUnsignedCharArray* bytes = encoder->GetResult();
-      scan::OutputFile file(this->FileName);
-      file.write({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
-        static_cast<std::size_t>(bytes->GetNumberOfValues()) });
-      execution.step("write", 1, 1); // a cancel comes too late once the file has its name
-      file.commit();
-    });
+  auto* const picture = vtkImageData::SafeDownCast(&input);
+  const int type = picture->GetPointData()->GetScalars() != nullptr ? picture->GetScalarType() : -1;
+  if (type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT)
+  {
+    throw scan::Error(scan::ErrorCode::badInput,
+      file.name() + ": a picture needs channels of 8 or 16 bits; convert it first");
+  }
+  execution.step("write", 0, 1);
+  vtkNew<vtkPNGWriter> encoder;
+  encoder->SetInputData(picture);
+  encoder->WriteToMemoryOn();
+  encoder->Write();
+  vtkUnsignedCharArray* const bytes = encoder->GetResult();
+  if (bytes == nullptr)
+  {
+    throw scan::Error(
+      scan::ErrorCode::badInput, file.name() + ": VTK cannot make a PNG file of the picture");
+  }
+  file.write({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) });
+  execution.step("write", 1, 1); // a cancel comes too late once the file has its name
 }

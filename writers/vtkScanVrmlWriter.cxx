@@ -3,6 +3,7 @@
 #include "writers/vtkScanVrmlWriter.h"
 
 #include "writers/inventor.h"
+#include "writers/single_precision.h"
 #include "writers/vrml97.h"
 
 #include <vtkObjectFactory.h>
@@ -20,4 +21,14 @@ void vtkScanVrmlWriter::Format(
   {
     scan::writeVrml97(model, file, execution);
   }
+}
+
+std::vector<scan::Vec3> vtkScanVrmlWriter::Stored(const std::vector<scan::Vec3>& points) const
+{
+  return scan::roundedToFloat(points); // every digit is written, but this is how programs read it
+}
+
+std::string vtkScanVrmlWriter::NoteOn(const scan::Model& model) const
+{
+  return scan::noteOnRounding(model.points);
 }

@@ -27,6 +27,8 @@ protected:
 
   void Format(
     const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+  std::vector<scan::Vec3> Stored(const std::vector<scan::Vec3>& points) const override;
+  std::string NoteOn(const scan::Model& model) const override;
 
 private:
   bool Version1 = false;

@@ -2,16 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/vtkScanVtpWriter.h"
 
+#include "filters/base/vtkScanMeshBridge.h"
+#include "writers/consistent_model.h"
 #include "writers/output_file.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkScanVtpWriter);
 
@@ -52,24 +61,58 @@ std::string encode(vtkPolyData* data, scan::Execution& execution)
   return encoder->GetOutputString();
 }
 
-} // namespace
-
-vtkScanVtpWriter::~vtkScanVtpWriter()
+/// The cell that each triangle of bridge::meshOf() comes from.
+std::vector<vtkIdType> cellsOfTriangles(vtkPolyData& data)
 {
-  this->SetFileName(nullptr);
+  std::vector<vtkIdType> cells;
+  vtkIdType cell = data.GetNumberOfVerts() + data.GetNumberOfLines();
+  for (vtkCellArray* const kind : { data.GetPolys(), data.GetStrips() })
+  {
+    for (vtkIdType i = 0; i < kind->GetNumberOfCells(); ++i, ++cell)
+    {
+      cells.insert(cells.end(),
+        static_cast<std::size_t>(std::max<vtkIdType>(kind->GetCellSize(i) - 2, 0)), cell);
+    }
+  }
+  return cells;
 }
+
+/// The data on another surface; verts and lines stay, since points do.
+vtkSmartPointer<vtkPolyData> dataOn(const scan::ConsistentSurface& surface, vtkPolyData& data)
+{
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  scan::bridge::setMesh(*result, surface.mesh);
+  result->SetVerts(data.GetVerts());
+  result->SetLines(data.GetLines());
+  result->SetFieldData(data.GetFieldData());
+  const auto copy =
+    [](vtkDataSetAttributes& from, vtkDataSetAttributes& to, const std::vector<vtkIdType>& origin)
+  {
+    to.CopyAllOn();
+    to.CopyAllocate(&from, static_cast<vtkIdType>(origin.size()));
+    for (std::size_t i = 0; i < origin.size(); ++i)
+    {
+      to.CopyData(&from, origin[i], static_cast<vtkIdType>(i));
+    }
+  };
+  copy(*data.GetPointData(), *result->GetPointData(),
+    { surface.pointOrigin.begin(), surface.pointOrigin.end() });
+  std::vector<vtkIdType> cells(
+    static_cast<std::size_t>(data.GetNumberOfVerts() + data.GetNumberOfLines()));
+  std::iota(cells.begin(), cells.end(), 0);
+  const std::vector<vtkIdType> cellOf = cellsOfTriangles(data);
+  std::ranges::transform(surface.triangleOrigin, std::back_inserter(cells),
+    [&](scan::Index triangle) { return cellOf[triangle]; });
+  copy(*data.GetCellData(), *result->GetCellData(), cells);
+  return result;
+}
+
+} // namespace
 
 void vtkScanVtpWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName != nullptr ? this->FileName : "(none)") << "\n";
-}
-
-int vtkScanVtpWriter::Write()
-{
-  return this->Superclass::Write() != 0 && this->GetOutcome().state == vtkScanOutcome::State::ok
-    ? 1
-    : 0;
+  os << indent << "Consistent: " << (this->Consistent ? "On" : "Off") << "\n";
 }
 
 int vtkScanVtpWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -78,34 +121,23 @@ int vtkScanVtpWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkScanVtpWriter::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkScanVtpWriter::WriteFile(
+  vtkDataObject& input, scan::OutputFile& file, scan::Execution& execution)
 {
-  // the superclass calls WriteData() and cannot tell that it failed
-  this->Superclass::RequestData(request, inputVector, outputVector);
-  return this->GetOutcome().state == vtkScanOutcome::State::failed ? 0 : 1;
-}
-
-void vtkScanVtpWriter::WriteData()
-{
-  this->RunGuarded(*this, nullptr,
-    [this](scan::Execution& execution)
-    {
-      vtkPolyData* input = vtkPolyData::SafeDownCast(this->GetInput());
-      if (this->FileName == nullptr || input == nullptr)
-      {
-        throw scan::Error(scan::ErrorCode::badParameter, "no file name or no input to write");
-      }
-      if (input->GetNumberOfPoints() == 0)
-      {
-        throw scan::Error(
-          scan::ErrorCode::badInput, std::string(this->FileName) + ": no points to write");
-      }
-      execution.plan({ { "write", 1.0 } });
-      execution.step("write", 0, 2);
-      scan::OutputFile file(this->FileName);
-      file.write(encode(input, execution));
-      execution.step("write", 2, 2); // a cancel comes too late once the file has its name
-      file.commit();
-    });
+  vtkSmartPointer<vtkPolyData> data = vtkPolyData::SafeDownCast(&input);
+  if (data->GetNumberOfPoints() == 0)
+  {
+    throw scan::Error(
+      scan::ErrorCode::badInput, file.name() + ": no points to write; check the input");
+  }
+  execution.step("write", 0, 2);
+  if (this->Consistent)
+  {
+    const scan::ConsistentSurface surface =
+      scan::makeConsistent(scan::bridge::meshOf(*data), 0.0, execution);
+    data = surface.isChanged() ? dataOn(surface, *data) : data;
+    this->AddNote(scan::changesOf(surface));
+  }
+  file.write(encode(data, execution));
+  execution.step("write", 2, 2); // a cancel comes too late once the file has its name
 }

@@ -2,44 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ScanWritersModule.h" // export macro
-#include "filters/base/vtkScanTask.h"
-
-#include <vtkWriter.h>
+#include "writers/vtkScanFileWriter.h"
 
 /// Writes a vtkPolyData as VTK XML PolyData, .vtp, with all its cells and arrays, exactly: binary,
-/// compressed by zlib. The file appears under its name only when it is complete. FileName "-" is
-/// standard output. The same data give the same bytes. Data without
-/// points are Error badInput.
-class SCANWRITERS_EXPORT vtkScanVtpWriter
-  : public vtkWriter
-  , public vtkScanTask
+/// compressed by zlib. The same data give the same bytes. Data without points are Error badInput.
+class SCANWRITERS_EXPORT vtkScanVtpWriter : public vtkScanFileWriter
 {
 public:
   static vtkScanVtpWriter* New();
-  vtkTypeMacro(vtkScanVtpWriter, vtkWriter);
+  vtkTypeMacro(vtkScanVtpWriter, vtkScanFileWriter);
   vtkScanVtpWriter(const vtkScanVtpWriter&) = delete;
   void operator=(const vtkScanVtpWriter&) = delete;
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The file to write; a file of that name is replaced.
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  /// Whether to mend surfaces, see filters/geometry/consistent_surface.h. Polygons and strips then
+  /// become triangles; points stay and copies follow; all arrays are kept. Surfaces that are fine
+  /// are written as they are. Default: true.
+  vtkSetMacro(Consistent, bool);
+  vtkGetMacro(Consistent, bool);
+  vtkBooleanMacro(Consistent, bool);
   ///@}
-
-  /// @return 1 when the file is there, 0 after a failure or a cancel
-  int Write() override;
 
 protected:
   vtkScanVtpWriter() = default;
-  ~vtkScanVtpWriter() override;
+  ~vtkScanVtpWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void WriteData() override;
+  void WriteFile(vtkDataObject& input, scan::OutputFile& file, scan::Execution& execution) override;
 
 private:
-  char* FileName = nullptr;
+  bool Consistent = true;
 };

@@ -2,39 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ScanWritersModule.h" // export macro
-#include "filters/base/vtkScanTask.h"
 #include "filters/geometry/model.h"
 #include "writers/encoding.h"
-
-#include <vtkWriter.h>
+#include "writers/vtkScanFileWriter.h"
 
 #include <string>
 #include <vector>
 
-namespace scan
-{
-class OutputFile;
-}
-
-/// Base of the writers of vtkPolyData: guards the formatter; the file appears under its name only
-/// when it is complete. A subclass names its formatter in Format(). FileName "-" is standard
-/// output.
-class SCANWRITERS_EXPORT vtkScanWriter
-  : public vtkWriter
-  , public vtkScanTask
+/// Base of the writers of models: makes a model of a vtkPolyData and mends its surface. A subclass
+/// names its formatter in Format().
+class SCANWRITERS_EXPORT vtkScanWriter : public vtkScanFileWriter
 {
 public:
-  vtkTypeMacro(vtkScanWriter, vtkWriter);
+  vtkTypeMacro(vtkScanWriter, vtkScanFileWriter);
   vtkScanWriter(const vtkScanWriter&) = delete;
   void operator=(const vtkScanWriter&) = delete;
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The file to write; a file of that name is replaced.
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /// Whether to mend surfaces: what is written is then an oriented manifold without triangles that
@@ -50,12 +33,9 @@ public:
   vtkGetEnumMacro(Encoding, scan::Encoding);
   ///@}
 
-  /// @return 1 when the file is there, 0 after a failure or a cancel
-  int Write() override;
-
 protected:
   vtkScanWriter() = default;
-  ~vtkScanWriter() override;
+  ~vtkScanWriter() override = default;
 
   /// Writes the model without committing the file. Throws scan::Error. Phase "write".
   virtual void Format(
@@ -72,11 +52,8 @@ protected:
   virtual std::string NoteOn(const scan::Model& model) const;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) final;
-  void WriteData() final;
+  void WriteFile(vtkDataObject& input, scan::OutputFile& file, scan::Execution& execution) final;
 
-  char* FileName = nullptr;
   scan::Encoding Encoding = scan::Encoding::binary;
   bool Consistent = true;
 };

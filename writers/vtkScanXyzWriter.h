@@ -14,7 +14,7 @@ public:
   void operator=(const vtkScanXyzWriter&) = delete;
 
 protected:
-  vtkScanXyzWriter() = default;
+  vtkScanXyzWriter() { this->Consistent = false; } // no triangles are written
   ~vtkScanXyzWriter() override = default;
 
   void Format(

@@ -3,6 +3,7 @@
 #include "writers/xyz.h"
 
 #include "filters/base/error.h"
+#include "writers/requirements.h"
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
@@ -20,10 +21,7 @@ TextLine lineOf(const Vec3& v)
 
 void writeXyz(const Model& model, OutputFile& file, Execution& execution)
 {
-  if (model.points.empty())
-  {
-    throw Error(ErrorCode::badInput, file.name() + ": no points to write; check the input");
-  }
+  requirePoints(model, file);
   WriteProgress progress(execution, model.points.size());
   for (std::size_t i = 0; i < model.points.size(); ++i)
   {

@@ -3,10 +3,9 @@
 #include "writers/zip_writer.h"
 
 #include "filters/base/error.h"
+#include "writers/size_limit.h"
 
 #include <zlib.h>
-
-#include <limits>
 
 namespace scan
 {
@@ -94,8 +93,8 @@ void ZipWriter::end()
   entry.packed += kLastBlock.size();
   this->put("PK\7\10");
   this->putLong(entry.sum);
-  this->putLong(entry.packed);
-  this->putLong(entry.size);
+  this->putSize(entry.packed);
+  this->putSize(entry.size);
 }
 
 void ZipWriter::finish()
@@ -108,15 +107,15 @@ void ZipWriter::finish()
     this->putHeader(entry);
     // no extra data, no comment, disk 0, no attributes
     this->putNumbers({ static_cast<std::uint16_t>(entry.name.size()), 0, 0, 0, 0, 0, 0 });
-    this->putLong(entry.offset);
+    this->putSize(entry.offset);
     this->put(entry.name);
   }
   const std::uint64_t size = this->Offset - start;
   const auto count = static_cast<std::uint16_t>(this->Entries.size());
   this->put("PK\5\6");
   this->putNumbers({ 0, 0, count, count });
-  this->putLong(size);
-  this->putLong(start);
+  this->putSize(size);
+  this->putSize(start);
   this->putNumbers({ 0 });
 }
 
@@ -125,8 +124,8 @@ void ZipWriter::putHeader(const Entry& entry)
 {
   this->putNumbers({ kVersion, kSizesFollow, kDeflated, kTime, kDate });
   this->putLong(entry.sum);
-  this->putLong(entry.packed);
-  this->putLong(entry.size);
+  this->putSize(entry.packed);
+  this->putSize(entry.size);
 }
 
 void ZipWriter::put(std::string_view bytes)
@@ -144,14 +143,14 @@ void ZipWriter::putNumbers(const std::vector<std::uint16_t>& numbers)
   }
 }
 
-void ZipWriter::putLong(std::uint64_t number)
+void ZipWriter::putSize(std::uint64_t size)
 {
-  if (number >= std::numeric_limits<std::uint32_t>::max())
-  {
-    throw Error(ErrorCode::limit,
-      this->File.name() +
-        ": more than 4 GiB of text, the limit of this format; decimate, or write PLY");
-  }
+  this->putLong(
+    fourBytes(size, this->File.name() + ": more than 4 GiB of text, the limit of this format"));
+}
+
+void ZipWriter::putLong(std::uint32_t number)
+{
   this->putNumbers(
     { static_cast<std::uint16_t>(number & 0xffffU), static_cast<std::uint16_t>(number >> 16U) });
 }

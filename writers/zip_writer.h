@@ -60,7 +60,8 @@ private:
 
   void put(std::string_view bytes);
   void putNumbers(const std::vector<std::uint16_t>& numbers);
-  void putLong(std::uint64_t number);
+  void putLong(std::uint32_t number);
+  void putSize(std::uint64_t size);
   void putHeader(const Entry& entry);
 
   OutputFile& File;

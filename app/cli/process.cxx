@@ -3,6 +3,7 @@
 #include "app/cli/process.h"
 
 #include "app/cli/exit_status.h"
+#include "pipeline/output_files.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -26,6 +27,7 @@ std::optional<CancelToken> cancelToken;
 /// Async-signal-safe.
 [[noreturn]] void leave(ExitStatus status, std::string_view message)
 {
+  removeUnfinishedOutputs();
   say(message);
   ::_exit(static_cast<int>(status));
 }

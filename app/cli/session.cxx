@@ -17,9 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <new>
-#include <system_error>
 
 namespace scan
 {
@@ -64,17 +62,6 @@ auto translated(ExitStatus otherwise, const Body& body)
   {
     throw Failure(ExitStatus::overMemory, "out of memory; allow more or use fewer points");
   }
-}
-
-/// Whether two names, of files that need not exist, mean one file.
-bool isSameFile(const std::string& a, const std::string& b)
-{
-  std::error_code ignored;
-  return a == b ||
-    (a != "-" && b != "-" &&
-      (std::filesystem::equivalent(a, b, ignored) ||
-        std::filesystem::weakly_canonical(std::filesystem::absolute(a, ignored), ignored) ==
-          std::filesystem::weakly_canonical(std::filesystem::absolute(b, ignored), ignored)));
 }
 
 void refuseSameFiles(const std::vector<std::string>& outputs, const CommandLine& line)

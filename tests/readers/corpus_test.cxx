@@ -3,8 +3,7 @@
 // What the fuzzers have found stays found: each parser over its corpus, also cut and changed.
 #include "readers/mapped_file.h"
 #include "tests/fuzz/parser_table.h"
-#include "tests/readers/parsing.h"
-#include "tests/readers/usable.h"
+#include "tests/readers/damage.h"
 
 #include <gtest/gtest.h>
 
@@ -51,23 +50,6 @@ std::vector<Sample> samplesOf(const FuzzedParser& parser)
   return samples;
 }
 
-/// Fails the test when the bytes end in neither a usable model nor one line of an Error.
-void expectErrorOrModel(
-  const FuzzedParser& parser, const std::string& bytes, const std::string& what)
-{
-  parser.looksLike(bytes);
-  try
-  {
-    EXPECT_TRUE(scan::test::isUsable(scan::test::parse(parser.parse, bytes))) << what;
-  }
-  catch (const scan::Error& error)
-  {
-    const std::string message = error.what();
-    EXPECT_TRUE(message.starts_with("file: ")) << what << ": " << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << what << ": " << message;
-  }
-}
-
 std::string nameOf(const testing::TestParamInfo<FuzzedParser>& info)
 {
   return std::string(info.param.name);
@@ -75,6 +57,12 @@ std::string nameOf(const testing::TestParamInfo<FuzzedParser>& info)
 
 class Corpus : public testing::TestWithParam<FuzzedParser>
 {
+protected:
+  static void expectErrorOrModel(const std::string& bytes, const std::string& what)
+  {
+    GetParam().looksLike(bytes);
+    scan::test::expectErrorOrModel(GetParam().parse, bytes, what);
+  }
 };
 
 } // namespace
@@ -85,7 +73,7 @@ TEST_P(Corpus, EndsInErrorOrModel)
   EXPECT_FALSE(samples.empty());
   for (const Sample& sample : samples)
   {
-    expectErrorOrModel(GetParam(), sample.bytes, sample.name);
+    expectErrorOrModel(sample.bytes, sample.name);
   }
 }
 
@@ -96,7 +84,7 @@ TEST_P(Corpus, EndsInErrorOrModelWhenCut)
     for (std::size_t size = 0; size < sample.bytes.size(); size += kCut)
     {
       expectErrorOrModel(
-        GetParam(), sample.bytes.substr(0, size), sample.name + " cut at " + std::to_string(size));
+        sample.bytes.substr(0, size), sample.name + " cut at " + std::to_string(size));
     }
   }
 }
@@ -108,8 +96,7 @@ TEST_P(Corpus, EndsInErrorOrModelWhenAByteIsFlipped)
     for (std::size_t at = 0; at < sample.bytes.size(); at += kFlip)
     {
       sample.bytes[at] = static_cast<char>(~sample.bytes[at]);
-      expectErrorOrModel(
-        GetParam(), sample.bytes, sample.name + " flipped at " + std::to_string(at));
+      expectErrorOrModel(sample.bytes, sample.name + " flipped at " + std::to_string(at));
       sample.bytes[at] = static_cast<char>(~sample.bytes[at]);
     }
   }

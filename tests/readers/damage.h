@@ -2,40 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/geometry/model.h"
 #include "tests/readers/parsing.h"
+#include "tests/readers/usable.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace scan::test
 {
 
-/// Fails the test when the result is neither Error parse nor a usable model.
+/// Fails the test when the bytes end in neither a usable model nor Error parse, in one line.
 template <class Parser>
 void expectErrorOrModel(Parser parser, const std::string& bytes, const std::string& what)
 {
   try
   {
-    const Model model = parse(parser, bytes);
-    bool isUsable = model.colors.empty() || model.colors.size() == model.points.size();
-    isUsable = isUsable && (model.normals.empty() || model.normals.size() == model.points.size());
-    for (const Vec3& p : model.points)
-    {
-      isUsable = isUsable && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    }
-    for (const auto& [a, b, c] : model.triangles)
-    {
-      isUsable = isUsable && std::max({ a, b, c }) < model.points.size();
-    }
-    EXPECT_TRUE(isUsable) << what;
+    EXPECT_TRUE(isUsable(parse(parser, bytes))) << what;
   }
   catch (const Error& error)
   {
-    EXPECT_EQ(error.code(), ErrorCode::parse) << what << ": " << error.what();
+    const std::string message = error.what();
+    EXPECT_EQ(error.code(), ErrorCode::parse) << what << ": " << message;
+    EXPECT_TRUE(message.starts_with("file: ")) << what << ": " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << what << ": " << message;
   }
 }
 
@@ -53,7 +43,7 @@ void expectErrorOrModelWhenDamaged(Parser parser, const std::string& bytes)
   std::string changed = bytes;
   for (std::size_t at = 0; at < bytes.size(); at += at < kAll ? 1 : 97)
   {
-    for (const char flip : { '\x01', '\x80', '\xff' })
+    for (const char flip : { '\x01', '\x10', '\x80', '\xff' })
     {
       changed[at] = static_cast<char>(bytes[at] ^ flip);
       expectErrorOrModel(parser, changed, "changed at " + std::to_string(at));

@@ -135,8 +135,9 @@ TEST(Gltf, ReadsColoursAndNormals)
     "{'attributes':{'POSITION':0,'NORMAL':1,'COLOR_0':2},'indices':3},"
     "{'attributes':{'POSITION':0},'mode':0}"));
   ASSERT_EQ(model.points.size(), 8U);
-  EXPECT_EQ(model.colors[0], (Color{ 255, 0, 7 }));
-  EXPECT_EQ(model.colors[3], (Color{ 7, 8, 9 }));
+  // the file has light, 7, 8 and 9 of 255
+  EXPECT_EQ(model.colors[0], (Color{ 255, 0, 46 }));
+  EXPECT_EQ(model.colors[3], (Color{ 46, 50, 53 }));
   EXPECT_EQ(model.colors[4], (Color{ 255, 255, 255 }));
   EXPECT_EQ(model.normals[2], (Vec3{ 0, 0, 1 }));
   EXPECT_EQ(model.normals[5], (Vec3{}));

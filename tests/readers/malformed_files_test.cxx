@@ -6,7 +6,7 @@
 #include "readers/ply.h"
 #include "readers/points_text.h"
 #include "readers/stl.h"
-#include "tests/readers/parsing.h"
+#include "tests/readers/damage.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,7 @@
 namespace
 {
 
+using scan::test::expectErrorOrModel;
 using scan::test::Parser;
 
 constexpr Parser kStl = scan::test::asModel<scan::parseStl>;
@@ -110,34 +111,6 @@ std::vector<Sample> sharedSamples()
   return samples;
 }
 
-/// Fails the test when the result is neither scan::Error nor usable.
-void expectErrorOrMesh(Parser parser, const std::string& bytes, const std::string& what)
-{
-  try
-  {
-    const scan::Model mesh = scan::test::parse(parser, bytes);
-    bool isUsable = (mesh.colors.empty() || mesh.colors.size() == mesh.points.size()) &&
-      (mesh.normals.empty() || mesh.normals.size() == mesh.points.size());
-    for (const scan::Vec3& p : mesh.points)
-    {
-      isUsable = isUsable && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    }
-    for (const scan::Vec3& n : mesh.normals)
-    {
-      isUsable = isUsable && (n == scan::Vec3{} || std::abs(dot(n, n) - 1.0) < 1e-12);
-    }
-    for (const auto& [a, b, c] : mesh.triangles)
-    {
-      isUsable = isUsable && std::max({ a, b, c }) < mesh.points.size();
-    }
-    EXPECT_TRUE(isUsable) << what;
-  }
-  catch (const scan::Error& error)
-  {
-    EXPECT_EQ(error.code(), scan::ErrorCode::parse) << what << ": " << error.what();
-  }
-}
-
 unsigned testSeed()
 {
   const char* const text = std::getenv("SCAN_TEST_SEED");
@@ -152,7 +125,7 @@ TEST(MalformedFile, EndsInErrorOrMeshWhenCutAnywhere)
   {
     for (std::size_t size = 1; size < sample.bytes.size(); ++size)
     {
-      expectErrorOrMesh(sample.parser, sample.bytes.substr(0, size),
+      expectErrorOrModel(sample.parser, sample.bytes.substr(0, size),
         sample.name + " cut at " + std::to_string(size));
     }
     EXPECT_EQ(scan::test::parseError(sample.parser, sample.bytes), "") << sample.name;
@@ -170,7 +143,7 @@ TEST(MalformedFile, EndsInErrorOrMeshWhenARealFileIsCut)
   {
     for (std::size_t size = 64; size < sample.bytes.size(); size += 64)
     {
-      expectErrorOrMesh(sample.parser, sample.bytes.substr(0, size),
+      expectErrorOrModel(sample.parser, sample.bytes.substr(0, size),
         sample.name + " cut at " + std::to_string(size));
     }
   }
@@ -189,7 +162,7 @@ TEST(MalformedFile, EndsInErrorOrMeshWhenBytesChange)
       {
         bytes[random() % bytes.size()] = static_cast<char>(random());
       }
-      expectErrorOrMesh(sample.parser, bytes,
+      expectErrorOrModel(sample.parser, bytes,
         sample.name + " round " + std::to_string(round) +
           " SCAN_TEST_SEED=" + std::to_string(seed));
     }

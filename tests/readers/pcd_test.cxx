@@ -3,7 +3,7 @@
 #include "readers/pcd.h"
 
 #include "readers/mapped_file.h"
-#include "tests/readers/damaged.h"
+#include "tests/readers/damage.h"
 
 #include <gtest/gtest.h>
 
@@ -270,11 +270,12 @@ TEST(Pcd, NamesTheMalformedLine)
 
 TEST(Pcd, EndsInErrorOrModelWhenDamaged)
 {
-  scan::test::expectNoDamageCrashes(scan::parsePcd, manyHeader(60, "binary") + manyRecords(60));
-  scan::test::expectNoDamageCrashes(
-    scan::parsePcd, manyHeader(20, "binary_compressed") + compress(manyRecords(20)), 7, 1);
-  scan::test::expectNoDamageCrashes(
-    scan::parsePcd, manyHeader(2, "ascii") + "1 2 3 0 0 1 65280\n1 nan 3 0 0 1 255\n", 1, 1);
+  scan::test::expectErrorOrModelWhenDamaged(
+    scan::parsePcd, manyHeader(60, "binary") + manyRecords(60));
+  scan::test::expectErrorOrModelWhenDamaged(
+    scan::parsePcd, manyHeader(20, "binary_compressed") + compress(manyRecords(20)));
+  scan::test::expectErrorOrModelWhenDamaged(
+    scan::parsePcd, manyHeader(2, "ascii") + "1 2 3 0 0 1 65280\n1 nan 3 0 0 1 255\n");
 }
 
 TEST(Pcd, StopsWhenCancelled)

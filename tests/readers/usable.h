@@ -32,11 +32,13 @@ inline bool isUsable(const Model& model)
 {
   const auto isFinite = [](const Vec3& p)
   { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+  const auto isNormal = [](const Vec3& n)
+  { return n == Vec3{} || std::abs(dot(n, n) - 1.0) < 1e-12; };
   const auto hasCorners = [&](const Triangle& t) {
     return std::max({ t[0], t[1], t[2] }) < model.points.size();
   };
   return std::all_of(model.points.begin(), model.points.end(), isFinite) &&
-    std::all_of(model.normals.begin(), model.normals.end(), isFinite) &&
+    std::all_of(model.normals.begin(), model.normals.end(), isNormal) &&
     std::all_of(model.triangles.begin(), model.triangles.end(), hasCorners) && hasCurves(model) &&
     (model.colors.empty() || model.colors.size() == model.points.size()) &&
     (model.normals.empty() || model.normals.size() == model.points.size()) &&

@@ -7,8 +7,8 @@
 #include "tests/readers/parsing.h"
 #include "tests/writers/models.h"
 #include "tests/writers/other_programs.h"
+#include "tests/writers/written.h"
 #include "writers/obj.h"
-#include "writers/ply.h"
 #include "writers/xyz.h"
 
 #include <random>
@@ -21,6 +21,7 @@ using scan::Encoding;
 using scan::Model;
 using scan::Vec3;
 using scan::test::modelBytes;
+using scan::test::plyFormat;
 
 Vec3 unit(const Vec3& v)
 {
@@ -45,12 +46,6 @@ Model coarselyShaded(Model model)
 {
   model.normals.assign(model.points.size(), { 0, -1, 0 });
   return model;
-}
-
-auto plyFormat(Encoding encoding)
-{
-  return [encoding](const Model& model, scan::OutputFile& file, scan::Execution& execution)
-  { scan::writePly(model, { .encoding = encoding }, file, execution); };
 }
 
 void expectSameAttributes(const Model& model, const Model& expected)

@@ -5,62 +5,14 @@
 #include "tests/writers/models.h"
 #include "tests/writers/other_programs.h"
 
-#include <sstream>
-
 namespace
 {
 
 using scan::Model;
 using scan::TriMesh;
 using scan::Vec3;
-
-struct Lib3dsPart
-{
-  std::string name;
-  std::size_t points = 0;
-  std::size_t faces = 0;
-};
-
-struct Lib3dsResult
-{
-  std::vector<Lib3dsPart> parts;
-  TriMesh mesh; ///< of all parts
-};
-
-/// What lib3ds finds, as its dump prints it: six digits behind the point.
-Lib3dsResult readWithLib3ds(const std::string& path)
-{
-  std::istringstream text(scan::test::outputOf("3dsdump -t " + path));
-  Lib3dsResult result;
-  scan::Index first = 0;
-  std::string line;
-  while (std::getline(text, line))
-  {
-    Vec3 p;
-    char name[64] = {};
-    std::size_t points = 0;
-    std::size_t faces = 0;
-    scan::Triangle t = {};
-    unsigned flags = 0;
-    if (std::sscanf(line.c_str(), " %63s vertices=%zu faces=%zu", name, &points, &faces) == 3)
-    {
-      result.parts.push_back({ name, points, faces });
-      first = static_cast<scan::Index>(result.mesh.points.size());
-    }
-    else if (std::sscanf(
-               line.c_str(), " %u %u %u smoothing:%*d flags:%u", &t[0], &t[1], &t[2], &flags) == 4)
-    {
-      EXPECT_EQ(flags, 7U);
-      result.mesh.triangles.push_back({ first + t[0], first + t[1], first + t[2] });
-    }
-    else if (line.starts_with("    ") &&
-      std::sscanf(line.c_str(), " %lf %lf %lf", &p.x, &p.y, &p.z) == 3)
-    {
-      result.mesh.points.push_back(p);
-    }
-  }
-  return result;
-}
+using scan::test::Lib3dsPart;
+using scan::test::readWithLib3ds;
 
 class Written3ds : public testing::Test
 {

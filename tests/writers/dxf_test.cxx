@@ -6,7 +6,6 @@
 #include "tests/writers/other_programs.h"
 
 #include <functional>
-#include <sstream>
 
 namespace scan
 {
@@ -25,66 +24,14 @@ using scan::DxfFaces;
 using scan::Model;
 using scan::TriMesh;
 using scan::Vec3;
+using scan::test::EzdxfResult;
 using scan::test::modelBytes;
+using scan::test::readWithEzdxf;
 
 auto dxf(DxfFaces faces)
 {
   return [faces](const Model& model, scan::OutputFile& file, scan::Execution& execution)
   { scan::writeDxf(model, { .faces = faces }, file, execution); };
-}
-
-struct EzdxfResult
-{
-  int complaints = 0;
-  int meshes = 0;
-  TriMesh mesh;                          ///< triangles with corners of their own, then the points
-  std::vector<std::vector<Vec3>> curves; ///< closed ones end with their first point
-};
-
-EzdxfResult readWithEzdxf(const std::string& path)
-{
-  const std::string output =
-    scan::test::outputOf("/usr/bin/python3 " SCAN_DATA_DIR "/../tests/writers/read_dxf.py " + path);
-  std::istringstream text(output);
-  EzdxfResult result;
-  text >> result.complaints >> result.meshes;
-  const auto readPoints = [&](std::size_t pointsEach)
-  {
-    std::size_t count = 0;
-    text >> count;
-    for (std::size_t i = 0; i < count * pointsEach && text; ++i)
-    {
-      Vec3 p;
-      text >> p.x >> p.y >> p.z;
-      result.mesh.points.push_back(p);
-    }
-    return count;
-  };
-  const std::size_t triangles = readPoints(3);
-  for (scan::Index i = 0; i < triangles; ++i)
-  {
-    result.mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
-  }
-  readPoints(1);
-  std::size_t curves = 0;
-  text >> curves;
-  for (std::size_t i = 0; i < curves && text; ++i)
-  {
-    int isClosed = 0;
-    std::size_t size = 0;
-    text >> isClosed >> size;
-    std::vector<Vec3>& curve = result.curves.emplace_back(size);
-    for (Vec3& p : curve)
-    {
-      text >> p.x >> p.y >> p.z;
-    }
-    if (isClosed != 0)
-    {
-      curve.push_back(Vec3{ curve.front() });
-    }
-  }
-  EXPECT_FALSE(text.fail()) << output.substr(0, 2000);
-  return result;
 }
 
 class DxfFile : public testing::TestWithParam<DxfFaces>
@@ -167,7 +114,7 @@ TEST_P(DxfFile, IsReadByAssimp)
 
 TEST_P(DxfFile, PassesTheAuditOfEzdxf)
 {
-  if (!scan::test::isInstalled("/usr/bin/python3 -c 'import ezdxf'"))
+  if (!scan::test::hasEzdxf())
   {
     GTEST_SKIP() << "python3-ezdxf is not installed";
   }
@@ -196,7 +143,7 @@ TEST_P(DxfFile, PassesTheAuditOfEzdxf)
 
 TEST_P(DxfFile, HasCurvesForEzdxf)
 {
-  if (!scan::test::isInstalled("/usr/bin/python3 -c 'import ezdxf'"))
+  if (!scan::test::hasEzdxf())
   {
     GTEST_SKIP() << "python3-ezdxf is not installed";
   }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/glb.h"
 
-#include "filters/base/error.h"
 #include "readers/gltf.h"
-#include "tests/writers/assimp.h"
+#include "tests/readers/parsing.h"
+#include "tests/writers/models.h"
+#include "tests/writers/other_programs.h"
 
 #include <gtest/gtest.h>
 
@@ -16,12 +17,12 @@ namespace
 
 using scan::Model;
 using scan::Vec3;
-using scan::test::boundsOf;
-using scan::test::torus;
+using scan::test::grid;
+using scan::test::moved;
 
 std::string bytesOf(const Model& model)
 {
-  return scan::test::bytesOfModel(scan::writeGlb, model);
+  return scan::test::modelBytes(model, scan::writeGlb);
 }
 
 std::string jsonOf(const std::string& bytes)
@@ -31,36 +32,13 @@ std::string jsonOf(const std::string& bytes)
   return bytes.substr(20, size);
 }
 
-scan::ErrorCode codeOf(const Model& model)
-{
-  try
-  {
-    bytesOf(model);
-  }
-  catch (const scan::Error& error)
-  {
-    return error.code();
-  }
-  return scan::ErrorCode::internal;
-}
-
 /// Compares with what assimp reads, which is in metres.
-void expectSameInAssimp(const Model& model, double metresPerUnit, double tolerance)
+void expectSameInAssimp(const Model& model, double metresPerUnit)
 {
   const scan::test::TemporaryFolder folder;
   scan::test::setContent(folder.file("model.glb"), bytesOf(model));
-  const scan::TriMesh read = scan::test::readWithAssimp(folder, folder.file("model.glb"));
-  ASSERT_EQ(read.points.size(), model.points.size());
-  ASSERT_EQ(read.triangles.size(), model.triangles.size());
-  const double cubed = metresPerUnit * metresPerUnit * metresPerUnit;
-  EXPECT_NEAR(scan::test::volumeOf(read), scan::test::volumeOf(model) * cubed,
-    tolerance * (1.0 + std::abs(scan::test::volumeOf(model) * cubed)));
-  const auto expected = boundsOf(model);
-  const auto bounds = boundsOf(read);
-  EXPECT_NEAR(bounds.low.x, expected.low.x * metresPerUnit, tolerance);
-  EXPECT_NEAR(bounds.low.z, expected.low.z * metresPerUnit, tolerance);
-  EXPECT_NEAR(bounds.high.x, expected.high.x * metresPerUnit, tolerance);
-  EXPECT_NEAR(bounds.high.y, expected.high.y * metresPerUnit, tolerance);
+  scan::test::expectSame(
+    scan::test::readWithAssimp(folder.file("model.glb")), moved(model, {}, metresPerUnit));
 }
 
 } // namespace
@@ -74,13 +52,15 @@ TEST(Glb, HasTheseBytesForATriangle)
   const std::string json =
     R"({"asset":{"version":"2.0","generator":"Scanwrap"},"scene":0,"scenes":[{"nodes":[0]}],)"
     R"("nodes":[{"mesh":0,"scale":[0.001,0.001,0.001]}],)"
-    R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":4,"indices":1}]}],)"
+    R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":4,"indices":1,)"
+    R"("material":0}]}],)"
     R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
     R"("min":[0.0,0.0,0.0],"max":[1.0,2.0,0.0]},)"
     R"({"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"}],)"
     R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36,"target":34962},)"
     R"({"buffer":0,"byteOffset":36,"byteLength":12,"target":34963}],)"
-    R"("buffers":[{"byteLength":48}]})";
+    R"("buffers":[{"byteLength":48}],"materials":[{"pbrMetallicRoughness":{)"
+    R"("metallicFactor":0.0,"roughnessFactor":0.8},"doubleSided":true}]})";
   const std::string buffer("\0\0\0\0\0\0\0\0\0\0\0\0"
                            "\0\0\x80?\0\0\0\0\0\0\0\0"
                            "\0\0\0\0\0\0\0@\0\0\0\0"
@@ -102,24 +82,20 @@ TEST(Glb, KeepsModelsInAssimp)
   {
     GTEST_SKIP() << "the program assimp is missing";
   }
-  Model closed = torus(100, {});
-  expectSameInAssimp(closed, 0.001, 1e-7);
+  Model closed = grid(100, 100, true);
+  expectSameInAssimp(closed, 0.001);
   closed.millimetresPerUnit = 25.4;
-  expectSameInAssimp(closed, 0.0254, 1e-5);
-  Model open = torus(20, { 100, 200, 300 });
-  open.triangles.resize(open.triangles.size() - 7);
+  expectSameInAssimp(closed, 0.0254);
+  Model open = moved(grid(20, 20, false), { 100, 200, 300 });
   open.millimetresPerUnit = 1000.0;
-  expectSameInAssimp(open, 1.0, 1e-4);
-  Model winged = torus(10, {}); // an edge with three triangles
-  winged.points.push_back({ 0, 0, 100 });
-  winged.triangles.push_back({ 0, 1, 100 });
-  expectSameInAssimp(winged, 0.001, 1e-6);
+  expectSameInAssimp(open, 1.0);
+  expectSameInAssimp(scan::test::nonManifold(), 0.001);
 }
 
 TEST(Glb, SubtractsTheCentreOfAModelFarFromTheOrigin)
 {
-  const Vec3 centre{ 665187.25, -5648349.5, 12345678.0 };
-  const std::string bytes = bytesOf(torus(30, centre));
+  const Vec3 centre{ 665187.25, -5648349.5, 12345671.0 }; // the middle is 7 above
+  const std::string bytes = bytesOf(moved(grid(30, 30, true), centre));
   const std::string json = jsonOf(bytes);
   EXPECT_NE(json.find("\"translation\":[665.18725,-5648.3495,12345.678]"), std::string::npos)
     << json;
@@ -154,13 +130,43 @@ TEST(Glb, HoldsColoursAndNormalsOfAScan)
     << json;
   EXPECT_NE(json.find(R"("count":2,"type":"VEC4","normalized":true)"), std::string::npos);
   EXPECT_NE(json.find(R"("nodes":[{"mesh":0}])"), std::string::npos);
-  EXPECT_TRUE(bytes.ends_with(std::string("\xff\0\x07\xff\x01\x02\x03\xff", 8)));
+  EXPECT_EQ(json.find("materials"), std::string::npos);
+  // 7 of 255 is 0.00212 of the light, 139 of 65535; all channels up to 10 go by 19.9
+  EXPECT_TRUE(
+    bytes.ends_with(std::string("\xff\xff\0\0\x8b\0\xff\xff\x14\0\x28\0\x3c\0\xff\xff", 16)));
+}
+
+TEST(Glb, HoldsLightThatGivesEveryChannelBack)
+{
+  Model scan;
+  for (unsigned i = 0; i < 256; ++i)
+  {
+    scan.points.push_back({ i * 1.0, 0, 0 });
+    scan.colors.push_back({ static_cast<std::uint8_t>(i), 0, 255 });
+  }
+  const std::string bytes = bytesOf(scan);
+  EXPECT_EQ(scan::test::parse(scan::parseGltf, bytes).colors, scan.colors);
+  std::uint16_t grey = 0; // of channel 128: 0.2159, after IEC 61966-2-1
+  std::memcpy(&grey, bytes.data() + bytes.size() - 128U * 8U, sizeof(grey));
+  EXPECT_NEAR(grey / 65535.0, 0.2158605, 1e-5);
+}
+
+TEST(Glb, HasNormalsOfLengthOne)
+{
+  Model model = scan::test::oneTriangle();
+  model.normals = { {}, { 0, 3, 4 }, { 0, 0, 1 } };
+  const Model read = scan::test::parse(scan::parseGltf, bytesOf(model));
+  EXPECT_LT(read.normals[0].z, -0.99999); // that of the triangle
+  EXPECT_NEAR(read.normals[1].z, 0.8, 1e-7);
+  Model scan = scan::test::threePoints();
+  scan.normals.assign(3, {});
+  EXPECT_EQ(scan::test::parse(scan::parseGltf, bytesOf(scan)).normals[1], (Vec3{ 0, 0, 1 }));
 }
 
 TEST(Glb, ComesBackFromTheReader)
 {
   const Vec3 centre{ 665187.522077, -5648349.895035, 12345678.9 };
-  Model model = torus(40, centre);
+  Model model = moved(grid(40, 40, true), centre);
   model.colors.assign(model.points.size(), { 1, 2, 3 });
   model.normals.assign(model.points.size(), { 0, 0, 1 });
   const Model read = scan::test::parse(scan::parseGltf, bytesOf(model));
@@ -178,8 +184,7 @@ TEST(Glb, ComesBackFromTheReader)
 
 TEST(Glb, HoldsCurves)
 {
-  Model model = torus(5, {});
-  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
+  Model model = scan::test::withCurves(grid(5, 5, true));
   for (int i = 0; i < 2; ++i)
   {
     const Model read = scan::test::parse(scan::parseGltf, bytesOf(model));
@@ -195,9 +200,8 @@ TEST(Glb, HasLinesForAssimp)
   {
     GTEST_SKIP() << "assimp is not installed";
   }
-  Model model = torus(5, {});
+  Model model = scan::test::withCurves(grid(5, 5, true));
   model.triangles.clear();
-  model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
   const scan::test::TemporaryFolder folder;
   scan::test::setContent(folder.file("a.glb"), bytesOf(model));
   // two segments of the open one, three of the closed one
@@ -208,18 +212,13 @@ TEST(Glb, HasLinesForAssimp)
 
 TEST(Glb, RefusesWhatItCannotHold)
 {
-  EXPECT_EQ(codeOf({}), scan::ErrorCode::badInput);
-  Model model = torus(5, {});
+  EXPECT_EQ(scan::test::writeError({}, scan::writeGlb), scan::ErrorCode::badInput);
+  Model model = grid(5, 5, true);
   model.points[3].y = 1e40;
-  EXPECT_EQ(codeOf(model), scan::ErrorCode::limit);
+  EXPECT_EQ(scan::test::writeError(model, scan::writeGlb), scan::ErrorCode::limit);
 }
 
 TEST(Glb, StopsWhenCancelled)
 {
-  scan::CancelToken token;
-  token.cancel();
-  scan::Execution execution(1, token);
-  const scan::test::TemporaryFolder folder;
-  scan::OutputFile file(folder.file("x.glb"));
-  EXPECT_THROW(scan::writeGlb(torus(5, {}), file, execution), scan::Cancelled);
+  scan::test::expectCancels(grid(5, 5, true), scan::writeGlb);
 }

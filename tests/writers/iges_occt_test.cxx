@@ -27,7 +27,7 @@ using scan::test::igesFormat;
 CadContent readBack(const TriMesh& mesh, const scan::IgesOptions& options)
 {
   const scan::test::TemporaryFolder folder;
-  scan::test::writeFile(folder.file("x.igs"), mesh, igesFormat(options));
+  scan::test::writeModel(folder.file("x.igs"), scan::Model{ mesh }, igesFormat(options));
   return scan::test::readIgesWithOcct(folder.file("x.igs"));
 }
 
@@ -180,9 +180,7 @@ TEST(IgesInOcct, HasCurves)
   const auto contentOf = [](const scan::Model& written, IgesEntities entities)
   {
     const scan::test::TemporaryFolder folder;
-    scan::test::writeModel(folder.file("x.igs"), written,
-      [&](const scan::Model& m, scan::OutputFile& file, scan::Execution& execution)
-      { scan::writeIges(m, { .entities = entities }, file, execution); });
+    scan::test::writeModel(folder.file("x.igs"), written, igesFormat(entities));
     return scan::test::readIgesWithOcct(folder.file("x.igs"));
   };
   scan::Model plain = model;
@@ -203,7 +201,7 @@ TEST(IgesInOcct, HasTheUnit)
   const auto widthOf = [](double millimetresPerUnit)
   {
     const scan::test::TemporaryFolder folder;
-    scan::test::writeFile(folder.file("x.igs"), corpus::tetrahedron(),
+    scan::test::writeModel(folder.file("x.igs"), scan::Model{ corpus::tetrahedron() },
       igesFormat({ .entities = IgesEntities::solid }, millimetresPerUnit));
     const CadContent content = scan::test::readIgesWithOcct(folder.file("x.igs"));
     const scan::BoundingBox box(content.vertices);

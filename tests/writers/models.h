@@ -23,9 +23,10 @@ namespace scan::test
 
 /// @param format (model, file, execution)
 template <class Format>
-void writeModel(const std::string& path, const Model& model, const Format& format)
+void writeModel(
+  const std::string& path, const Model& model, const Format& format, unsigned threads = 0)
 {
-  Execution execution;
+  Execution execution(threads);
   OutputFile file(path);
   format(model, file, execution);
   file.commit();
@@ -33,10 +34,10 @@ void writeModel(const std::string& path, const Model& model, const Format& forma
 
 /// @param format (model, file, execution)
 template <class Format>
-std::string modelBytes(const Model& model, const Format& format)
+std::string modelBytes(const Model& model, const Format& format, unsigned threads = 0)
 {
   const TemporaryFolder folder;
-  writeModel(folder.file("out"), model, format);
+  writeModel(folder.file("out"), model, format, threads);
   return contentOf(folder.file("out"));
 }
 
@@ -53,6 +54,21 @@ ErrorCode writeError(const Model& model, const Format& format)
     return error.code();
   }
   return ErrorCode::internal;
+}
+
+/// The message of the Error badInput that the writer ends in; empty when it accepts the model.
+template <class Format>
+std::string writeMessage(const Model& model, const Format& format)
+{
+  try
+  {
+    modelBytes(model, format);
+  }
+  catch (const Error& error)
+  {
+    return error.code() == ErrorCode::badInput ? error.what() : "another code";
+  }
+  return {};
 }
 
 /// Expects that the writer ends early when the user has cancelled.
@@ -123,6 +139,16 @@ inline Model grid(Index rows, Index columns, bool isClosed)
       model.triangles.push_back({ a, b, c });
       model.triangles.push_back({ a, c, d });
     }
+  }
+  return model;
+}
+
+/// The model somewhere else, and its coordinates in another unit.
+inline Model moved(Model model, const Vec3& by, double scale = 1.0)
+{
+  for (Vec3& p : model.points)
+  {
+    p = (p + by) * scale;
   }
   return model;
 }
@@ -202,7 +228,9 @@ inline Summary summaryOf(const TriMesh& mesh)
     static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
   for (const auto& [a, b, c] : mesh.triangles)
   {
-    summary.volume += dot(mesh.points[a], cross(mesh.points[b], mesh.points[c])) / 6.0;
+    const Vec3& from = summary.lowest; // far from the surface, volumes lose digits
+    summary.volume +=
+      dot(mesh.points[a] - from, cross(mesh.points[b] - from, mesh.points[c] - from)) / 6.0;
   }
   return summary;
 }

@@ -5,6 +5,7 @@
 #include "readers/stl.h"
 #include "tests/readers/parsing.h"
 #include "tests/writers/written.h"
+#include "writers/obj.h"
 
 #include <gtest/gtest.h>
 
@@ -75,19 +76,14 @@ TEST(RoundTrip, KeepsEveryBitInPlyAndObj)
   using namespace scan::test;
   expectSameBits(parse(scan::parsePly, bytesOf(mesh, plyFormat(Encoding::binary))), mesh);
   expectSameBits(parse(scan::parsePly, bytesOf(mesh, plyFormat(Encoding::ascii))), mesh);
-  expectSameBits(parse(scan::parseObj, bytesOf(mesh, objFormat())), mesh);
+  expectSameBits(parse(scan::parseObj, bytesOf(mesh, scan::writeObj)), mesh);
 }
 
 TEST(RoundTrip, KeepsCurvesInObj)
 {
   scan::Model model{ bentStrip(20) };
   model.curves = { { 3, 1, 4, 0, 2, 3, 0 }, { 3, 7 } };
-  const scan::test::TemporaryFolder folder;
-  scan::Execution execution;
-  scan::OutputFile file(folder.file("a.obj"));
-  scan::writeObj(model, file, execution);
-  file.commit();
-  const std::string text = scan::test::contentOf(folder.file("a.obj"));
+  const std::string text = scan::test::modelBytes(model, scan::writeObj);
   EXPECT_EQ(parse(scan::parseObj, text).curves, model.curves);
   EXPECT_NE(text.find("\nl 4 2 5\nl 1 3 4 1\n"), std::string::npos);
 }
@@ -108,10 +104,7 @@ TEST(RoundTrip, KeepsScans)
   scan.triangles.clear();
   expectSameBits(
     parse(scan::parsePly, bytesOf(scan, scan::test::plyFormat(Encoding::binary))), scan);
-  expectSameBits(parse(scan::parseObj, bytesOf(scan, scan::test::objFormat())), scan);
-  const TriMesh nothing;
-  expectSameBits(
-    parse(scan::parsePly, bytesOf(nothing, scan::test::plyFormat(Encoding::ascii))), nothing);
+  expectSameBits(parse(scan::parseObj, bytesOf(scan, scan::writeObj)), scan);
 }
 
 TEST(RoundTrip, KeepsStlUpToTheFormatsPrecision)
@@ -144,17 +137,7 @@ TEST(WrittenStl, HasUnitNormals)
 TEST(WrittenStl, RefusesWhatItCannotHold)
 {
   const auto codeOf = [](const TriMesh& mesh)
-  {
-    try
-    {
-      bytesOf(mesh, scan::test::stlFormat(Encoding::binary));
-    }
-    catch (const scan::Error& error)
-    {
-      return error.code();
-    }
-    return scan::ErrorCode::internal;
-  };
+  { return scan::test::writeError(scan::Model{ mesh }, scan::test::stlFormat(Encoding::binary)); };
   TriMesh mesh = bentStrip(2);
   mesh.points[0].x = 1e39;
   EXPECT_EQ(codeOf(mesh), scan::ErrorCode::limit);
@@ -167,11 +150,11 @@ TEST(WrittenText, IgnoresTheLocale)
   using namespace scan::test;
   const TriMesh mesh = bentStrip(2000);
   const std::string ply = bytesOf(mesh, plyFormat(Encoding::ascii));
-  const std::string obj = bytesOf(mesh, objFormat());
+  const std::string obj = bytesOf(mesh, scan::writeObj);
   const std::string stl = bytesOf(mesh, stlFormat(Encoding::ascii));
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaPoint));
   EXPECT_EQ(bytesOf(mesh, plyFormat(Encoding::ascii)), ply);
-  EXPECT_EQ(bytesOf(mesh, objFormat()), obj);
+  EXPECT_EQ(bytesOf(mesh, scan::writeObj), obj);
   EXPECT_EQ(bytesOf(mesh, stlFormat(Encoding::ascii)), stl);
   std::locale::global(before);
 }

@@ -6,7 +6,6 @@
 #include "writers/vrml97.h"
 
 #include <functional>
-#include <sstream>
 
 namespace
 {
@@ -25,79 +24,6 @@ SceneFormat inventor(scan::InventorVersion version)
 const SceneFormat kInventor = inventor(scan::InventorVersion::inventor);
 const SceneFormat kVrml1 = inventor(scan::InventorVersion::vrml1);
 const SceneFormat kVrml97 = scan::writeVrml97;
-
-/// What Coin draws, colours rounded.
-Model readWithCoin(const std::string& path)
-{
-  std::istringstream text(scan::test::outputOf(SCAN_COIN_READER " " + path));
-  Model model;
-  const auto readLines = [&](const std::string& kind, std::size_t linesEach)
-  {
-    std::string word;
-    std::size_t count = 0;
-    text >> word >> count;
-    EXPECT_EQ(word, kind) << text.str().substr(0, 2000);
-    for (std::size_t i = 0; i < count * linesEach; ++i)
-    {
-      Vec3 p;
-      Vec3 c;
-      text >> p.x >> p.y >> p.z >> c.x >> c.y >> c.z;
-      model.points.push_back(
-        { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) });
-      c = c * 255.0 + Vec3{ 0.5, 0.5, 0.5 };
-      model.colors.push_back({ static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y),
-        static_cast<std::uint8_t>(c.z) });
-    }
-    return count;
-  };
-  const std::size_t triangles = readLines("triangles", 3);
-  for (scan::Index i = 0; i < triangles; ++i)
-  {
-    model.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
-  }
-  readLines("points", 1);
-  const auto first = static_cast<scan::Index>(model.points.size());
-  const std::size_t lines = readLines("lines", 2);
-  for (scan::Index i = 0; i < lines; ++i)
-  {
-    model.curves.corners.insert(model.curves.corners.end(), { first + 2 * i, first + 2 * i + 1 });
-    model.curves.endLine();
-  }
-  EXPECT_FALSE(text.fail());
-  return model;
-}
-
-/// The numbers of the list behind a field's name, as SGI's Inventor prints it.
-std::vector<double> fieldOf(const std::string& text, const std::string& field)
-{
-  const std::size_t start = text.find(field + "\t[");
-  EXPECT_NE(start, std::string::npos) << field;
-  std::string list = text.substr(start + field.size() + 2);
-  list.resize(list.find(']'));
-  std::replace(list.begin(), list.end(), ',', ' ');
-  std::istringstream numbers(list);
-  return { std::istream_iterator<double>(numbers), {} };
-}
-
-Model readWithSgiInventor(const std::string& path)
-{
-  const std::string text = scan::test::outputOf("ivcat " + path);
-  EXPECT_EQ(text.find("read error"), std::string::npos) << text.substr(0, 500);
-  Model model;
-  const std::vector<double> points = fieldOf(text, "point");
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
-  {
-    model.points.push_back({ points[i], points[i + 1], points[i + 2] });
-  }
-  const std::vector<double> indices = fieldOf(text, "coordIndex");
-  for (std::size_t i = 0; i + 3 < indices.size(); i += 4)
-  {
-    EXPECT_EQ(indices[i + 3], -1.0);
-    model.triangles.push_back({ static_cast<scan::Index>(indices[i]),
-      static_cast<scan::Index>(indices[i + 1]), static_cast<scan::Index>(indices[i + 2]) });
-  }
-  return model;
-}
 
 Model reread(Model (*read)(const std::string&), const Model& model, const SceneFormat& format)
 {
@@ -172,21 +98,27 @@ TEST_P(SceneFile, StopsWhenCancelled)
     scan::test::colored(scan::test::oneTriangle()), this->GetParam().format);
 }
 
-#ifdef SCAN_COIN_READER
-
 TEST_P(SceneFile, IsDrawnByCoin)
 {
+  if (!scan::test::hasCoin())
+  {
+    GTEST_SKIP() << "Coin is not installed";
+  }
   for (const Model& model : { scan::test::grid(60, 40, true), scan::test::grid(60, 40, false),
          scan::test::nonManifold(), scan::test::colored(scan::test::grid(300, 200, true)) })
   {
-    scan::test::expectSame(reread(readWithCoin, model, this->GetParam().format), model);
+    scan::test::expectSame(reread(scan::test::readWithCoin, model, this->GetParam().format), model);
   }
 }
 
 TEST_P(SceneFile, IsDrawnByCoinInItsColors)
 {
+  if (!scan::test::hasCoin())
+  {
+    GTEST_SKIP() << "Coin is not installed";
+  }
   const Model model = scan::test::colored(scan::test::grid(30, 20, true));
-  const Model surface = reread(readWithCoin, model, this->GetParam().format);
+  const Model surface = reread(scan::test::readWithCoin, model, this->GetParam().format);
   ASSERT_EQ(surface.points.size(), 3 * model.triangles.size());
   for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
@@ -196,19 +128,23 @@ TEST_P(SceneFile, IsDrawnByCoinInItsColors)
   }
   Model points = model;
   points.triangles.clear();
-  const Model scan = reread(readWithCoin, points, this->GetParam().format);
+  const Model scan = reread(scan::test::readWithCoin, points, this->GetParam().format);
   EXPECT_TRUE(scan.points == points.points);
   EXPECT_TRUE(scan.colors == points.colors);
 }
 
 TEST_P(SceneFile, IsDrawnByCoinWithItsCurves)
 {
+  if (!scan::test::hasCoin())
+  {
+    GTEST_SKIP() << "Coin is not installed";
+  }
   const Model plain = scan::test::withCurves(scan::test::grid(6, 4, true));
   Model alone = scan::test::colored(plain);
   alone.triangles.clear();
   for (const Model& model : { plain, scan::test::colored(plain), alone })
   {
-    const Model read = reread(readWithCoin, model, this->GetParam().format);
+    const Model read = reread(scan::test::readWithCoin, model, this->GetParam().format);
     EXPECT_EQ(read.triangles.size(), model.triangles.size());
     std::vector<std::vector<Vec3>> segments;
     for (const std::vector<Vec3>& curve : scan::test::placesOf(model))
@@ -228,22 +164,13 @@ TEST_P(SceneFile, IsDrawnByCoinWithItsCurves)
   }
 }
 
-#else
-
-TEST_P(SceneFile, IsDrawnByCoin)
-{
-  GTEST_SKIP() << "Coin is not installed";
-}
-
-#endif
-
 INSTANTIATE_TEST_SUITE_P(Written, SceneFile,
   testing::Values(NamedFormat{ "Inventor", kInventor }, NamedFormat{ "Vrml1", kVrml1 },
     NamedFormat{ "Vrml97", kVrml97 }));
 
 TEST(WrittenInventor, IsReadBySgiInventor)
 {
-  if (!scan::test::isInstalled("command -v ivcat"))
+  if (!scan::test::hasSgiInventor())
   {
     GTEST_SKIP() << "ivcat of Open Inventor is not installed";
   }
@@ -252,7 +179,7 @@ TEST(WrittenInventor, IsReadBySgiInventor)
     for (const Model& model :
       { scan::test::grid(40, 30, true), scan::test::colored(scan::test::grid(60, 40, false)) })
     {
-      const Model read = reread(readWithSgiInventor, model, format);
+      const Model read = reread(scan::test::readWithSgiInventor, model, format);
       EXPECT_EQ(read.triangles, model.triangles);
       ASSERT_EQ(read.points.size(), model.points.size());
       for (std::size_t i = 0; i < read.points.size(); ++i)

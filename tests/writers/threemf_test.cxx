@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/threemf.h"
 
-#include "filters/base/error.h"
 #include "readers/threemf.h"
-#include "tests/writers/assimp.h"
+#include "tests/readers/parsing.h"
+#include "tests/writers/models.h"
+#include "tests/writers/other_programs.h"
 
 #include <gtest/gtest.h>
 
@@ -12,24 +13,13 @@ namespace
 {
 
 using scan::Model;
-using scan::test::torus;
+using scan::Vec3;
+using scan::test::grid;
+using scan::test::moved;
 
 std::string bytesOf(const Model& model, unsigned threads = 1)
 {
-  return scan::test::bytesOfModel(scan::writeThreemf, model, threads);
-}
-
-std::string errorOf(const Model& model)
-{
-  try
-  {
-    bytesOf(model);
-  }
-  catch (const scan::Error& error)
-  {
-    return error.code() == scan::ErrorCode::badInput ? error.what() : "another code";
-  }
-  return {};
+  return scan::test::modelBytes(model, scan::writeThreemf, threads);
 }
 
 /// The part with the model, by the program unzip; empty without it.
@@ -46,7 +36,7 @@ std::string modelPartOf(const Model& model)
 Model triangle()
 {
   Model model;
-  model.points = { { 0, 0, 0 }, { 1.5, -1e-7, 0 }, { 0.1, 1e50, 3 } };
+  model.points = { { 0, 0, 0 }, { 1.5, -1e-7, 0 }, { 0.1, 1e9, 3 } };
   model.triangles = { { 0, 1, 2 } };
   return model;
 }
@@ -55,10 +45,7 @@ void expectSameInAssimp(const Model& model)
 {
   const scan::test::TemporaryFolder folder;
   scan::test::setContent(folder.file("model.3mf"), bytesOf(model));
-  const scan::TriMesh read = scan::test::readWithAssimp(folder, folder.file("model.3mf"));
-  ASSERT_EQ(read.points.size(), model.points.size());
-  ASSERT_EQ(read.triangles.size(), model.triangles.size());
-  EXPECT_NEAR(scan::test::volumeOf(read), scan::test::volumeOf(model), 0.1);
+  scan::test::expectSame(scan::test::readWithAssimp(folder.file("model.3mf")), model);
 }
 
 } // namespace
@@ -76,7 +63,7 @@ TEST(Threemf, HasThisModelPart)
     "<resources>\n<object id=\"1\" type=\"model\">\n<mesh>\n<vertices>\n"
     "<vertex x=\"0\" y=\"0\" z=\"0\"/>\n"
     "<vertex x=\"1.5\" y=\"-1e-07\" z=\"0\"/>\n"
-    "<vertex x=\"0.1\" y=\"1e+50\" z=\"3\"/>\n"
+    "<vertex x=\"0.1\" y=\"1e+09\" z=\"3\"/>\n"
     "</vertices>\n<triangles>\n<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>\n"
     "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n";
   EXPECT_EQ(modelPartOf(triangle()), head + "<item objectid=\"1\"/>\n</build>\n</model>\n");
@@ -97,20 +84,15 @@ TEST(Threemf, KeepsModelsInAssimp)
   {
     GTEST_SKIP() << "the program assimp is missing";
   }
-  expectSameInAssimp(torus(100, {}));
-  Model open = torus(20, { 100, 200, 300 });
-  open.triangles.resize(open.triangles.size() - 7);
-  expectSameInAssimp(open);
-  Model winged = torus(10, {}); // an edge with three triangles
-  winged.points.push_back({ 0, 0, 100 });
-  winged.triangles.push_back({ 0, 1, 100 });
-  expectSameInAssimp(winged);
+  expectSameInAssimp(grid(100, 100, true));
+  expectSameInAssimp(moved(grid(20, 20, false), { 100, 200, 300 }));
+  expectSameInAssimp(scan::test::nonManifold());
 }
 
 TEST(Threemf, ComesBackFromTheReader)
 {
-  Model model = torus(300, { 665187.522077, -5648349.895035, 12345678.9 });
-  model.points.push_back({ 1e50, -1e-300, -0.0 });
+  Model model = grid(300, 300, true);
+  model.points.push_back({ 1e9, -1e-300, -0.0 });
   model.millimetresPerUnit = 1000.0;
   const Model read = scan::test::parse(scan::parseThreemf, bytesOf(model));
   EXPECT_EQ(read.points, model.points);
@@ -118,9 +100,27 @@ TEST(Threemf, ComesBackFromTheReader)
   EXPECT_EQ(read.millimetresPerUnit, 1000.0);
 }
 
+TEST(Threemf, StoresWhatIsFarAwayFromItsMiddleOn)
+{
+  for (const double unit : { 1000.0, 7.0 }) // with a name, and without
+  {
+    Model model = moved(grid(30, 30, true), { 665187.522077, -5648349.895035, 1.2e10 });
+    model.millimetresPerUnit = unit;
+    const Model read = scan::test::parse(scan::parseThreemf, bytesOf(model));
+    ASSERT_EQ(read.points.size(), model.points.size());
+    for (std::size_t i = 0; i < read.points.size(); ++i)
+    {
+      const Vec3 off =
+        read.points[i] * read.millimetresPerUnit - model.points[i] * model.millimetresPerUnit;
+      ASSERT_LT(std::sqrt(dot(off, off)), 1e-5 * unit) << i;
+    }
+    EXPECT_EQ(modelPartOf(model).find("<vertex x=\"665"), std::string::npos);
+  }
+}
+
 TEST(Threemf, HasTheSameBytesOnAnyNumberOfThreads)
 {
-  const Model model = torus(250, {});
+  const Model model = grid(250, 250, true);
   const std::string bytes = bytesOf(model, 1);
   EXPECT_EQ(bytesOf(model, 4), bytes);
   EXPECT_TRUE(bytes.starts_with("PK\3\4"));
@@ -128,19 +128,19 @@ TEST(Threemf, HasTheSameBytesOnAnyNumberOfThreads)
 
 TEST(Threemf, RefusesWhatItCannotHold)
 {
+  const auto errorOf = [](const Model& model)
+  { return scan::test::writeMessage(model, scan::writeThreemf); };
   EXPECT_NE(errorOf({}).find("no triangles to write; 3MF holds surfaces"), std::string::npos);
   Model model = triangle();
   model.triangles.push_back({ 2, 1, 2 });
   EXPECT_NE(
     errorOf(model).find("triangle 1, counted from 0, uses a point twice"), std::string::npos);
+  model = triangle();
+  model.points[0].y = -1.1e9;
+  EXPECT_EQ(scan::test::writeError(model, scan::writeThreemf), scan::ErrorCode::limit);
 }
 
 TEST(Threemf, StopsWhenCancelled)
 {
-  scan::CancelToken token;
-  token.cancel();
-  scan::Execution execution(1, token);
-  const scan::test::TemporaryFolder folder;
-  scan::OutputFile file(folder.file("x.3mf"));
-  EXPECT_THROW(scan::writeThreemf(torus(5, {}), file, execution), scan::Cancelled);
+  scan::test::expectCancels(grid(5, 5, true), scan::writeThreemf);
 }

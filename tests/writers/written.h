@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/base/execution.h"
-#include "filters/geometry/model.h"
-#include "tests/readers/temporary_folder.h"
-#include "writers/obj.h"
+#include "tests/writers/models.h"
 #include "writers/ply.h"
 #include "writers/stl.h"
 
@@ -16,39 +13,23 @@
 namespace scan::test
 {
 
-using Format = std::function<void(const TriMesh&, OutputFile&, Execution&)>;
+using Format = std::function<void(const Model&, OutputFile&, Execution&)>;
 
 inline Format stlFormat(Encoding encoding)
 {
-  return [encoding](const TriMesh& mesh, OutputFile& file, Execution& execution)
-  { writeStl(mesh, { .encoding = encoding }, file, execution); };
+  return [encoding](const Model& model, OutputFile& file, Execution& execution)
+  { writeStl(model, { .encoding = encoding }, file, execution); };
 }
 
 inline Format plyFormat(Encoding encoding)
 {
-  return [encoding](const TriMesh& mesh, OutputFile& file, Execution& execution)
-  { writePly({ mesh }, { .encoding = encoding }, file, execution); };
-}
-
-inline Format objFormat()
-{
-  return [](const TriMesh& mesh, OutputFile& file, Execution& execution)
-  { writeObj({ mesh }, file, execution); };
-}
-
-inline void writeFile(const std::string& path, const TriMesh& mesh, const Format& format)
-{
-  Execution execution;
-  OutputFile file(path);
-  format(mesh, file, execution);
-  file.commit();
+  return [encoding](const Model& model, OutputFile& file, Execution& execution)
+  { writePly(model, { .encoding = encoding }, file, execution); };
 }
 
 inline std::string bytesOf(const TriMesh& mesh, const Format& format)
 {
-  const TemporaryFolder folder;
-  writeFile(folder.file("out"), mesh, format);
-  return contentOf(folder.file("out"));
+  return modelBytes(Model{ mesh }, format);
 }
 
 /// A bent strip of 2 (n - 1) triangles far from the origin, whose coordinates need all digits.
