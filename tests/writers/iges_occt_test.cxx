@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/base/vtkScanMeshBridge.h"
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/mesh_checks.h"
 #include "tests/geometry/mesh_corpus.h"
 #include "tests/writers/iges_format.h"
 #include "tests/writers/models.h"
 #include "tests/writers/occt_reading.h"
+#include "tests/writers/surfaces.h"
+#include "writers/vtkScanIgesWriter.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <gtest/gtest.h>
 
@@ -213,3 +219,107 @@ TEST(IgesInOcct, HasTheUnit)
   EXPECT_DOUBLE_EQ(widthOf(25.4), 25.4);
   EXPECT_DOUBLE_EQ(widthOf(1200.0 / 3937.0 * 1000.0), 1200.0 / 3937.0 * 1000.0);
 }
+
+/// What the promise of consistency_test.cxx comes to in IGES.
+class ConsistentIges : public testing::TestWithParam<IgesEntities>
+{
+protected:
+  std::string write(const TriMesh& mesh)
+  {
+    vtkNew<vtkPolyData> data;
+    scan::bridge::setModel(*data, scan::Model{ mesh });
+    vtkNew<vtkScanIgesWriter> writer;
+    writer->SetFileName(this->path().c_str());
+    writer->SetInputData(data);
+    writer->SetEntities(GetParam());
+    return writer->Write() == 1 ? "" : writer->GetOutcome().message;
+  }
+
+  void expectOcctFinds(const TriMesh& expected)
+  {
+    const CadContent content = scan::test::readIgesWithOcct(this->path());
+    const scan::MeshReport report = scan::describeMesh(expected);
+    const scan::BoundingBox box(expected.points);
+    const scan::BoundingBox found(content.vertices);
+    EXPECT_EQ(content.faces, expected.triangles.size());
+    EXPECT_NEAR(content.area, report.area, 1e-6 * report.area);
+    EXPECT_TRUE(content.isValid);
+    EXPECT_NEAR(content.volume, scan::test::summaryOf(expected).volume,
+      1e-6 * std::abs(content.volume) + (report.isClosed ? 0.0 : 1e9));
+    EXPECT_EQ(found.low, box.low);
+    EXPECT_EQ(found.high, box.high);
+    if (GetParam() == IgesEntities::solid)
+    {
+      EXPECT_EQ(content.solids, static_cast<int>(report.components.size()));
+    }
+  }
+
+  std::string path() const { return this->Folder.file("out.igs"); }
+  std::size_t fileCount() const { return this->Folder.fileCount(); }
+
+private:
+  scan::test::TemporaryFolder Folder;
+};
+
+TEST_P(ConsistentIges, OfAClosedSurfaceOf20000Triangles)
+{
+  const TriMesh mesh = scan::test::grid(100, 100, true);
+  ASSERT_EQ(mesh.triangles.size(), 20000U);
+  ASSERT_EQ(this->write(mesh), "");
+  this->expectOcctFinds(mesh);
+}
+
+TEST_P(ConsistentIges, OfAnOpenSurface)
+{
+  const TriMesh mesh = scan::test::grid(20, 15, false);
+  if (GetParam() == IgesEntities::solid)
+  {
+    EXPECT_NE(this->write(mesh).find("boundary edges"), std::string::npos);
+    EXPECT_EQ(this->fileCount(), 0U);
+    return;
+  }
+  ASSERT_EQ(this->write(mesh), "");
+  this->expectOcctFinds(mesh);
+}
+
+TEST_P(ConsistentIges, OfSurfacesThatAreNoManifold)
+{
+  for (const TriMesh& mesh : { corpus::tetrahedraOnOneEdge(), corpus::tetrahedraOnOnePoint() })
+  {
+    ASSERT_EQ(this->write(mesh), "");
+    this->expectOcctFinds(scan::test::mended(mesh));
+  }
+}
+
+TEST_P(ConsistentIges, OfADamagedSurface)
+{
+  const scan::test::DamagedSurface damaged = scan::test::damagedGrid();
+  ASSERT_EQ(this->write(damaged.mesh), "");
+  this->expectOcctFinds(damaged.mended);
+}
+
+TEST_P(ConsistentIges, OfASurfaceWithATriangleBelowItsResolution)
+{
+  TriMesh mesh = corpus::torus(12);
+  const auto [a, b, c] = mesh.triangles[7];
+  const auto own = static_cast<scan::Index>(mesh.points.size());
+  const Vec3 middle = (mesh.points[a] + mesh.points[b]) * 0.5;
+  mesh.points.push_back(middle + Vec3{ 0, 0, 1e-12 });
+  mesh.triangles[7] = { a, own, c };
+  mesh.triangles.push_back({ own, b, c });
+  mesh.triangles.push_back({ a, b, own });
+  ASSERT_EQ(this->write(mesh), "");
+  const CadContent content = scan::test::readIgesWithOcct(this->path());
+  EXPECT_TRUE(content.isValid);
+  EXPECT_EQ(content.faces, mesh.triangles.size()); // one less, and the neighbour is two
+  EXPECT_NEAR(content.volume, *scan::describeMesh(mesh).volume, 1e-9);
+}
+
+TEST_P(ConsistentIges, OfNothingIsNotWritten)
+{
+  EXPECT_NE(this->write({}).find("no points to write"), std::string::npos);
+  EXPECT_EQ(this->fileCount(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, ConsistentIges,
+  testing::Values(IgesEntities::faces, IgesEntities::solid, IgesEntities::nurbs));

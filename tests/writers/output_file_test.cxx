@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "tests/readers/temporary_folder.h"
+#include "writers/size_limit.h"
 
 #include <gtest/gtest.h>
 
@@ -168,4 +169,74 @@ TEST(OutputFile, RefusesLinksInACircle)
   std::filesystem::create_symlink("b", folder.file("a"));
   std::filesystem::create_symlink("a", folder.file("b"));
   EXPECT_NE(errorOf(folder.file("a"), "abc").find("symbolic links"), std::string::npos);
+}
+
+TEST(OutputFile, WorksWhereEveryFileHasAName)
+{
+  const TemporaryFolder folder;
+  {
+    OutputFile lost(folder.file("lost"), OutputFile::Part::named);
+    EXPECT_EQ(folder.fileCount(), 1U);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("lost")));
+    OutputFile kept(folder.file("kept"), OutputFile::Part::named);
+    kept.write("abc");
+    kept.commit();
+    EXPECT_EQ(folder.fileCount(), 2U);
+  }
+  EXPECT_EQ(folder.fileCount(), 1U);
+  EXPECT_EQ(contentOf(folder.file("kept")), "abc");
+}
+
+TEST(OutputFile, CanRemoveAllPartsInAHurry)
+{
+  const TemporaryFolder folder;
+  {
+    OutputFile first(folder.file("first"), OutputFile::Part::named);
+    OutputFile second(folder.file("second"), OutputFile::Part::named);
+    OutputFile kept(folder.file("kept"), OutputFile::Part::named);
+    kept.commit();
+    EXPECT_EQ(folder.fileCount(), 3U);
+    OutputFile::removeParts();
+    EXPECT_EQ(folder.fileCount(), 1U);
+    EXPECT_TRUE(std::filesystem::exists(folder.file("kept")));
+  }
+  for (int i = 0; i < 100; ++i) // places for parts are used again
+  {
+    OutputFile part(folder.file("part"), OutputFile::Part::named);
+    OutputFile::removeParts();
+    EXPECT_EQ(folder.fileCount(), 1U) << i;
+  }
+}
+
+TEST(OutputFile, WritesLargePiecesInTheirPlace)
+{
+  const TemporaryFolder folder;
+  OutputFile file(folder.file("out"));
+  std::string expected;
+  for (const std::size_t size : { 3U, 5000000U, 7U, 1048576U, 1048575U, 2U })
+  {
+    const std::string piece(size, static_cast<char>('a' + size % 26));
+    file.write(piece);
+    expected += piece;
+  }
+  file.commit();
+  EXPECT_TRUE(contentOf(folder.file("out")) == expected);
+}
+
+TEST(FourBytes, RefuseWhatDoesNotFit)
+{
+  EXPECT_EQ(scan::fourBytes(0xfffffffeU, "too large"), 0xfffffffeU);
+  for (const std::uint64_t number : { std::uint64_t{ 0xffffffffU }, std::uint64_t{ 1 } << 40U })
+  {
+    try
+    {
+      scan::fourBytes(number, "x.glb: more than 4 GiB");
+      FAIL() << number;
+    }
+    catch (const scan::Error& error)
+    {
+      EXPECT_EQ(error.code(), scan::ErrorCode::limit);
+      EXPECT_STREQ(error.what(), "x.glb: more than 4 GiB; decimate, or write PLY");
+    }
+  }
 }

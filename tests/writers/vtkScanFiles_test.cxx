@@ -1,21 +1,26 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The VTK readers and writers of the project, against each other and against VTK's own.
+#include "filters/base/vtkScanMeshBridge.h"
 #include "readers/vtkScanObjReader.h"
 #include "readers/vtkScanPlyReader.h"
 #include "readers/vtkScanPointsReader.h"
 #include "readers/vtkScanStlReader.h"
 #include "tests/readers/temporary_folder.h"
 #include "tests/writers/written.h"
+#include "writers/vtkScanIgesWriter.h"
 #include "writers/vtkScanObjWriter.h"
 #include "writers/vtkScanPlyWriter.h"
+#include "writers/vtkScanPngWriter.h"
 #include "writers/vtkScanStlWriter.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
+#include <vtkPNGReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -236,4 +241,156 @@ TEST(VtkScanWriter, FailsWithOneClearLineAndNoFile)
   EXPECT_EQ(writer->GetOutcome().code, scan::ErrorCode::badInput);
   EXPECT_NE(error.Text.find("no triangles to write"), std::string::npos) << error.Text;
   EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(VtkScanPngWriter, WritesWhatVtkReads)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(3, 2, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 18; ++i)
+  {
+    static_cast<unsigned char*>(picture->GetScalarPointer())[i] = static_cast<unsigned char>(9 * i);
+  }
+  vtkNew<vtkScanPngWriter> writer;
+  writer->SetFileName(folder.file("a.png").c_str());
+  writer->SetInputData(picture);
+  EXPECT_EQ(writer->Write(), 1);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(folder.file("a.png").c_str());
+  reader->Update();
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), 6);
+  for (int i = 0; i < 18; ++i)
+  {
+    EXPECT_EQ(static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer())[i], 9 * i);
+  }
+}
+
+TEST(VtkScanPngWriter, RefusesWhatPngCannotHold)
+{
+  const TemporaryFolder folder;
+  for (const bool hasScalars : { true, false })
+  {
+    vtkNew<vtkImageData> picture;
+    picture->SetDimensions(3, 2, 1);
+    if (hasScalars)
+    {
+      picture->AllocateScalars(VTK_FLOAT, 1);
+    }
+    vtkNew<vtkScanPngWriter> writer;
+    ErrorText error(*writer);
+    writer->SetFileName(folder.file("a.png").c_str());
+    writer->SetInputData(picture);
+    EXPECT_EQ(writer->Write(), 0);
+    EXPECT_NE(error.Text.find("8 or 16 bits"), std::string::npos) << error.Text;
+  }
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(3, 2, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  vtkNew<vtkScanPngWriter> writer;
+  ErrorText error(*writer);
+  writer->SetFileName(folder.file("nowhere/a.png").c_str());
+  writer->SetInputData(picture);
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(VtkScanWriter, SaysWhatItMends)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkPolyData> data;
+  scan::Model model{ { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0, 0 } },
+    { { 0, 1, 2 }, { 0, 1, 1 }, { 0, 3, 1 } } } };
+  model.normals.assign(4, { 0, 0, 1 });
+  scan::bridge::setModel(*data, model);
+  vtkNew<vtkScanPlyWriter> writer;
+  writer->SetFileName(folder.file("a.ply").c_str());
+  writer->SetInputData(data);
+  EXPECT_EQ(writer->Write(), 1);
+  EXPECT_EQ(
+    writer->GetNote(), "the surface is mended: 2 triangles without area left out, 1 triangle cut");
+  vtkNew<vtkScanPlyWriter> raw;
+  raw->SetFileName(folder.file("b.ply").c_str());
+  raw->SetInputData(data);
+  raw->ConsistentOff();
+  EXPECT_EQ(raw->Write(), 1);
+  EXPECT_EQ(raw->GetNote(), "");
+  vtkNew<vtkScanPlyReader> reader;
+  reader->SetFileName(folder.file("b.ply").c_str());
+  reader->Update();
+  EXPECT_EQ(scan::bridge::modelOf(*reader->GetOutput()).triangles, model.triangles);
+}
+
+TEST(VtkScanWriter, TurnsNormalsWithTheirTriangles)
+{
+  vtkNew<vtkPolyData> data;
+  scan::Model model{ scan::TriMesh{ { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 3 }, { 1, 2, 3 } } } };
+  for (const scan::Vec3& p : model.points)
+  {
+    const scan::Vec3 inwards = scan::Vec3{ 0.5, 0.5, 0.5 } - p;
+    model.normals.push_back(inwards * (1.0 / std::sqrt(0.75)));
+  }
+  scan::bridge::setModel(*data, model);
+  const TemporaryFolder folder;
+  vtkNew<vtkScanPlyWriter> writer;
+  writer->SetFileName(folder.file("a.ply").c_str());
+  writer->SetInputData(data);
+  EXPECT_EQ(writer->Write(), 1);
+  EXPECT_EQ(writer->GetNote(), "the surface is mended: 4 triangles turned over");
+  vtkNew<vtkScanPlyReader> reader;
+  reader->SetFileName(folder.file("a.ply").c_str());
+  reader->Update();
+  const scan::Model read = scan::bridge::modelOf(*reader->GetOutput());
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_LT(dot(read.normals[i], model.normals[i]), -0.99);
+  }
+}
+
+TEST(VtkScanWriter, WarnsOfManyTrianglesInIgesAndOfMissingUnits)
+{
+  const TemporaryFolder folder;
+  const auto noteOn = [&](const scan::Model& model)
+  {
+    vtkNew<vtkPolyData> data;
+    scan::bridge::setModel(*data, model);
+    vtkNew<vtkScanIgesWriter> writer;
+    writer->SetFileName(folder.file("a.igs").c_str());
+    writer->SetInputData(data);
+    EXPECT_EQ(writer->Write(), 1);
+    return writer->GetNote();
+  };
+  scan::Model model{ scan::test::grid(160, 156, true) };
+  ASSERT_EQ(model.triangles.size(), 49920U);
+  EXPECT_EQ(noteOn(model), "the model has no unit, millimetres are written; --unit tells it");
+  model.millimetresPerUnit = 25.4;
+  EXPECT_EQ(noteOn(model), "");
+  model = scan::test::grid(160, 157, true);
+  model.millimetresPerUnit = 25.4;
+  EXPECT_NE(noteOn(model).find("50240 triangles are as many surfaces"), std::string::npos);
+}
+
+TEST(VtkScanWriter, WarnsOfDigitsThatAreLost)
+{
+  const TemporaryFolder folder;
+  const auto noteOn = [&](const scan::Model& model, Encoding encoding)
+  {
+    vtkNew<vtkPolyData> data;
+    scan::bridge::setModel(*data, model);
+    vtkNew<vtkScanStlWriter> writer;
+    writer->SetFileName(folder.file("a.stl").c_str());
+    writer->SetInputData(data);
+    writer->SetEncoding(encoding);
+    writer->ConsistentOff();
+    EXPECT_EQ(writer->Write(), 1);
+    return writer->GetNote();
+  };
+  const scan::Model near = scan::test::grid(20, 20, true);
+  const scan::Model far = scan::test::moved(near, { 5e6 + 0.1, 4e6, 0 });
+  EXPECT_EQ(noteOn(near, Encoding::binary), "");
+  EXPECT_EQ(noteOn(far, Encoding::ascii), "");
+  EXPECT_NE(
+    noteOn(far, Encoding::binary).find("points of this model, which is far"), std::string::npos);
 }

@@ -182,7 +182,7 @@ TEST(Vtp, IsReadByVtkWithAllItsArrays)
   const vtkSmartPointer<vtkPolyData> data = dataOf(colouredStrip());
   vtkNew<vtkIdTypeArray> blocks;
   blocks->SetName(arrays::kBlock);
-  for (vtkIdType i = 0; i < data->GetNumberOfPolys(); ++i)
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
     blocks->InsertNextValue(i / 3);
   }
@@ -197,6 +197,53 @@ TEST(Vtp, IsReadByVtkWithAllItsArrays)
   vtkDataArray* const array = found.GetCellData()->GetArray(arrays::kBlock);
   ASSERT_NE(array, nullptr);
   EXPECT_EQ(array->GetTuple1(91), 30.0);
+}
+
+TEST(Vtp, KeepsArraysOfMendedSurfaces)
+{
+  Model model; // three triangles on an edge, one that names a point twice, and a curve
+  model.points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 }, { -1, -1, 0 } };
+  model.triangles = { { 0, 1, 2 }, { 3, 3, 4 }, { 0, 1, 3 }, { 0, 1, 4 } };
+  model.curves = { { 0, 4 }, { 2 } };
+  const vtkSmartPointer<vtkPolyData> data = dataOf(model);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Id");
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("Cell");
+  for (vtkIdType i = 0; i < 5; ++i) // five points; a line and four triangles
+  {
+    ids->InsertNextValue(10 + i);
+    cells->InsertNextValue(20 + i);
+  }
+  data->GetPointData()->AddArray(ids);
+  data->GetCellData()->AddArray(cells);
+  const TemporaryFolder folder;
+  vtkNew<vtkScanVtpWriter> writer;
+  writer->SetFileName(folder.file("a.vtp").c_str());
+  writer->SetInputData(data);
+  ASSERT_EQ(writer->Write(), 1);
+  EXPECT_NE(writer->GetNote().find("1 triangle without area left out"), std::string::npos);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.file("a.vtp").c_str());
+  reader->Update();
+  vtkPolyData* const read = reader->GetOutput();
+  ASSERT_EQ(read->GetNumberOfPolys(), 3);
+  ASSERT_EQ(read->GetNumberOfLines(), 1);
+  for (vtkIdType i = 0; i < read->GetNumberOfPoints(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(read->GetPointData()->GetArray("Id")->GetTuple1(i));
+    std::array<double, 3> place{};
+    std::array<double, 3> original{};
+    read->GetPoint(i, place.data());
+    data->GetPoint(id - 10, original.data());
+    EXPECT_EQ(place, original);
+  }
+  vtkDataArray* const cell = read->GetCellData()->GetArray("Cell");
+  ASSERT_EQ(cell->GetNumberOfTuples(), 4);
+  for (const int i : { 0, 1, 2, 3 })
+  {
+    EXPECT_EQ(cell->GetTuple1(i), i < 2 ? 20.0 + i : 21.0 + i);
+  }
 }
 
 TEST(Vtp, IsTheSameFileEveryTime)
