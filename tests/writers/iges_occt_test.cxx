@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "data/samples.h"
 #include "filters/base/vtkScanMeshBridge.h"
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/mesh_checks.h"
+#include "filters/geometry/wrap.h"
 #include "tests/geometry/mesh_corpus.h"
 #include "tests/writers/iges_format.h"
 #include "tests/writers/models.h"
@@ -300,14 +302,15 @@ TEST_P(ConsistentIges, OfADamagedSurface)
 
 TEST_P(ConsistentIges, OfASurfaceWithATriangleBelowItsResolution)
 {
-  // the corner of the lowest triangle is not quite on the edge of a tetrahedron
-  TriMesh mesh{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 1e-25, 1e-25 } }, {} };
-  mesh.triangles = { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 4, 3 }, { 4, 1, 3 }, { 0, 1, 4 } };
+  // the wrap of this scan has a triangle of height 1.2e-25
+  scan::Execution execution;
+  const TriMesh mesh = scan::wrap(scan::samples::helix(), {}, execution).surface;
+  ASSERT_TRUE(scan::describeMesh(mesh).isClosed);
   ASSERT_EQ(this->write(mesh), "");
   const CadContent content = scan::test::readIgesWithOcct(this->path());
   EXPECT_TRUE(content.isValid);
   EXPECT_EQ(content.faces, mesh.triangles.size()); // one less, and its neighbour is two
-  EXPECT_NEAR(content.volume, 1.0 / 6.0, 1e-12);
+  EXPECT_NEAR(content.volume, *scan::describeMesh(mesh).volume, 1e-9);
 }
 
 TEST_P(ConsistentIges, OfNothingIsNotWritten)
