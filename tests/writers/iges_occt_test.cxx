@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "data/samples.h"
 #include "filters/base/vtkScanMeshBridge.h"
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/mesh_checks.h"
 #include "filters/geometry/wrap.h"
+#include "readers/points_text.h"
 #include "tests/geometry/mesh_corpus.h"
+#include "tests/readers/parsing.h"
 #include "tests/writers/iges_format.h"
 #include "tests/writers/models.h"
 #include "tests/writers/occt_reading.h"
@@ -304,7 +305,9 @@ TEST_P(ConsistentIges, OfASurfaceWithATriangleBelowItsResolution)
 {
   // the wrap of this scan has a triangle of height 1.2e-25
   scan::Execution execution;
-  const TriMesh mesh = scan::wrap(scan::samples::helix(), {}, execution).surface;
+  const scan::Model scan =
+    scan::test::parse(scan::parsePointsText, scan::test::contentOf(SCAN_DATA_DIR "/helix.xyz"));
+  const TriMesh mesh = scan::wrap(scan.points, {}, execution).surface;
   ASSERT_TRUE(scan::describeMesh(mesh).isClosed);
   ASSERT_EQ(this->write(mesh), "");
   const CadContent content = scan::test::readIgesWithOcct(this->path());
