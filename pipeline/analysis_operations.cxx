@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/analysis/vtkScanInfoFilter.h"
 #include "filters/analysis/vtkScanRenderFilter.h"
+#include "filters/base/unit.h"
 #include "pipeline/operation_rows.h"
 
 #include <vtkAlgorithm.h>
@@ -20,6 +21,11 @@ ResultValue optionalCount(const std::optional<std::int64_t>& number)
   return number ? ResultValue(*number) : ResultValue();
 }
 
+ResultValue unitName(double millimetres)
+{
+  return millimetres > 0.0 ? ResultValue(nameOfUnit(millimetres)) : ResultValue();
+}
+
 /// In the order of vtkScanRenderFilter::ViewType.
 const std::vector<std::string> kViews{ "iso", "front", "back", "left", "right", "top", "bottom" };
 
@@ -30,6 +36,8 @@ Results infoResults(vtkAlgorithm& filter)
   Results results{
     { "points", count(report.points) },
     { "triangles", count(report.triangles) },
+    { "curves", count(info.GetCurves()) },
+    { "unit", unitName(info.GetMillimetresPerUnit()) },
     { "box-min-x", report.boxMin.x },
     { "box-min-y", report.boxMin.y },
     { "box-min-z", report.boxMin.z },
@@ -39,6 +47,10 @@ Results infoResults(vtkAlgorithm& filter)
     { "box-diagonal", report.boxDiagonal },
     { "spacing", info.GetSpacing() },
   };
+  for (const auto& [name, points] : info.GetFiles())
+  {
+    results.emplace_back("points-of " + name, count(static_cast<std::int64_t>(points)));
+  }
   if (report.components.empty())
   {
     return results;

@@ -3,11 +3,16 @@
 #include "pipeline/format_registry.h"
 
 #include "filters/base/error.h"
+#include "filters/base/vtkScanArrayNames.h"
 #include "pipeline/file_head.h"
 #include "pipeline/unread_formats.h"
 
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace scan
 {
@@ -145,33 +150,69 @@ std::string writableExtensions()
   return listOf(all);
 }
 
+std::string lossesOf(const Format& format, vtkPolyData& model)
+{
+  if (format.isPicture)
+  {
+    return {};
+  }
+  vtkPointData& attributes = *model.GetPointData();
+  const bool hasTriangles = model.GetNumberOfPolys() + model.GetNumberOfStrips() > 0;
+  std::vector<std::string> lost;
+  const auto check = [&](bool isThere, bool isHeld, const char* what)
+  {
+    if (isThere && !isHeld)
+    {
+      lost.emplace_back(what);
+    }
+  };
+  check(hasTriangles, format.writes.triangles, "triangles");
+  check(model.GetNumberOfLines() > 0, format.writes.curves, "curves");
+  check(attributes.GetArray(arrays::kColors) != nullptr, format.writes.colors, "colours");
+  check(attributes.GetNormals() != nullptr, format.writes.normals, "normals");
+  return lost.empty() ? "" : "the format holds no " + listOf(lost) + "; they are left out";
+}
+
 std::string formatTable()
 {
-  const auto cell = [](bool isThere, const Abilities& can)
+  const auto held = [](bool isThere, const Abilities& can)
   {
-    if (!isThere)
+    std::vector<std::string> kinds;
+    for (const auto& [isHeld, kind] : { std::pair{ can.points, "points" },
+           { can.triangles, "triangles" }, { can.curves, "curves" } })
     {
-      return std::string("no");
+      if (isThere && isHeld)
+      {
+        kinds.emplace_back(kind);
+      }
     }
-    std::string text = can.points && can.triangles ? "points, triangles"
-      : can.triangles                              ? "triangles"
-                                                   : "points";
-    return text + (can.colors ? ", colours" : "") + (can.normals ? ", normals" : "");
+    return isThere ? listOf(kinds) : std::string("no");
   };
-  std::string text = "| format | names | read | written | unit | limits |\n"
-                     "| --- | --- | --- | --- | --- | --- |\n";
+  const auto ways = [](bool isRead, bool isWritten)
+  {
+    return std::string(isRead && isWritten ? "read, written"
+        : isRead                           ? "read"
+        : isWritten                        ? "written"
+                                           : "no");
+  };
+  std::string text = "| format | names | read | written | colours | normals | unit | limits |\n"
+                     "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Format& format : formats())
   {
     if (format.isPicture)
     {
       continue;
     }
-    const std::string& unit = format.reads.unit.empty() ? format.writes.unit : format.reads.unit;
-    const std::string& limits =
-      format.writes.limits.empty() ? format.reads.limits : format.writes.limits;
+    const Abilities& reads = format.reads;
+    const Abilities& writes = format.writes;
+    const std::string unit = reads.unit == writes.unit || writes.unit.empty() ? reads.unit
+      : reads.unit.empty()                                                    ? writes.unit
+                           : "read: " + reads.unit + ", written: " + writes.unit;
     text += "| " + format.name + " | " + listOf(format.extensions) + " | " +
-      cell(format.makeReader != nullptr, format.reads) + " | " +
-      cell(format.makeWriter != nullptr, format.writes) + " | " + unit + " | " + limits + " |\n";
+      held(format.makeReader != nullptr, reads) + " | " +
+      held(format.makeWriter != nullptr, writes) + " | " + ways(reads.colors, writes.colors) +
+      " | " + ways(reads.normals, writes.normals) + " | " + (unit.empty() ? "no" : unit) + " | " +
+      (writes.limits.empty() ? reads.limits : writes.limits) + " |\n";
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "filters/base/length.h"
 #include "pipeline/parameter.h"
 
 #include <vtkSmartPointer.h>
@@ -13,6 +14,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkPolyData;
 
 namespace scan
 {
@@ -25,14 +27,24 @@ enum class ReadAs
   mesh       ///< a file without triangles is an error
 };
 
+/// How to read files.
+struct ReadOptions
+{
+  ReadAs as = ReadAs::automatic;
+  /// Of the triangles of CAD surfaces: millimetres, another unit, or percent of the diagonal of the
+  /// bounding box. A plain number is in millimetres.
+  Length tolerance = Length(0.1, Length::Unit::diagonalPercent);
+};
+
 /// What comes in or out with a format.
 struct Abilities
 {
   bool points = false; ///< without triangles
   bool triangles = false;
+  bool curves = false;     ///< lines through points
   bool colors = false;     ///< per point
   bool normals = false;    ///< per point
-  std::string unit = {};   ///< "metre", or "in the file"; empty: not told
+  std::string unit = {};   ///< "metre", or "in the file"; empty: the format has none
   std::string limits = {}; ///< in a few words; empty: those of the model
 };
 
@@ -51,7 +63,9 @@ struct Format
   bool isVague = false; ///< other formats may look like this one, too: they come first
 
   /// A fresh reader; null where reading is not possible. The path "-" is standard input.
-  vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& path, ReadAs as) = nullptr;
+  /// Throws Error badParameter for options that cannot be.
+  vtkSmartPointer<vtkAlgorithm> (*makeReader)(
+    const std::string& path, const ReadOptions& options) = nullptr;
 
   /// A fresh writer; null where writing is not possible. The path "-" is standard output.
   /// @param values of all writeParameters
@@ -76,6 +90,9 @@ const Format* findFormatToWrite(const std::string& path);
 /// The format of a file to write, from its extension; "-" is written as PLY.
 /// @throws Error{badParameter} naming the extensions that can be written
 const Format& formatToWrite(const std::string& path);
+
+/// What the model has and the format cannot hold, in one line; empty when it holds everything.
+std::string lossesOf(const Format& format, vtkPolyData& model);
 
 /// "stl, ply, obj": the extensions of the formats that can be read or written.
 std::string readableExtensions();

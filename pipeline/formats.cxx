@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/format_registry.h"
 
+#include "filters/base/error.h"
 #include "readers/autodesk_3ds.h"
 #include "readers/cad.h"
 #include "readers/cyberware_header.h"
@@ -56,19 +57,45 @@ namespace scan
 namespace
 {
 
+/// For readers without settings of their own.
 template <class Reader>
-vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path, ReadAs as)
+void configure(Reader&, const ReadOptions&)
+{
+}
+
+template <>
+void configure(vtkScanCadReader& reader, const ReadOptions& options)
+{
+  const Length& tolerance = options.tolerance;
+  if (tolerance.unit() == Length::Unit::spacing || !(tolerance.value() > 0.0))
+  {
+    throw Error(ErrorCode::badParameter,
+      "--tolerance=" + tolerance.text() + ": expected a length above 0 such as 0.1mm or 0.1%");
+  }
+  if (tolerance.unit() == Length::Unit::diagonalPercent)
+  {
+    reader.SetRelativeTolerance(tolerance.value() / 100.0);
+  }
+  else
+  {
+    reader.SetTolerance(tolerance.resolve({ .millimetresPerUnit = 1.0 }));
+  }
+}
+
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> makeReader(const std::string& path, const ReadOptions& options)
 {
   using Content = vtkScanReader::Content;
   const auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
-  reader->SetReadAs(as == ReadAs::points ? Content::points
-      : as == ReadAs::mesh               ? Content::mesh
-                                         : Content::automatic);
+  reader->SetReadAs(options.as == ReadAs::points ? Content::points
+      : options.as == ReadAs::mesh               ? Content::mesh
+                                                 : Content::automatic);
+  configure(*reader, options);
   return reader;
 }
 
-/// For writers without settings.
+/// For writers without settings of their own.
 template <class Writer>
 void configure(Writer&, const ParameterValues&)
 {
@@ -124,8 +151,20 @@ vtkSmartPointer<vtkAlgorithm> makeWriter(const std::string& path, const Paramete
 {
   const auto writer = vtkSmartPointer<Writer>::New();
   writer->SetFileName(path.c_str());
+  if constexpr (requires { writer->SetConsistent(true); })
+  {
+    const auto consistent = values.find("consistent");
+    writer->SetConsistent(consistent == values.end() || std::get<bool>(consistent->second));
+  }
   configure(*writer, values);
   return writer;
+}
+
+Parameter consistentParameter()
+{
+  return { .name = "consistent",
+    .defaultValue = true,
+    .help = "mend surfaces: manifold, without triangles that have no area, facing outwards" };
 }
 
 Parameter encodingParameter()
@@ -145,7 +184,7 @@ const std::vector<Format>& formats()
       .extensions = { "ply" },
       .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
       .writes = { .points = true, .triangles = true, .colors = true, .normals = true },
-      .writeParameters = { encodingParameter() },
+      .writeParameters = { encodingParameter(), consistentParameter() },
       .looksLike = looksLikePly,
       .makeReader = makeReader<vtkScanPlyReader>,
       .makeWriter = makeWriter<vtkScanPlyWriter> },
@@ -153,14 +192,23 @@ const std::vector<Format>& formats()
       .extensions = { "stl" },
       .reads = { .triangles = true },
       .writes = { .triangles = true, .limits = "binary: 7 digits" },
-      .writeParameters = { encodingParameter() },
+      .writeParameters = { encodingParameter(), consistentParameter() },
       .looksLike = looksLikeStl,
       .makeReader = makeReader<vtkScanStlReader>,
       .makeWriter = makeWriter<vtkScanStlWriter> },
     { .name = "OBJ",
       .extensions = { "obj" },
-      .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
-      .writes = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .reads = { .points = true,
+        .triangles = true,
+        .curves = true,
+        .colors = true,
+        .normals = true },
+      .writes = { .points = true,
+        .triangles = true,
+        .curves = true,
+        .colors = true,
+        .normals = true },
+      .writeParameters = { consistentParameter() },
       .looksLike = looksLikeObj,
       .makeReader = makeReader<vtkScanObjReader>,
       .makeWriter = makeWriter<vtkScanObjWriter> },
@@ -168,6 +216,7 @@ const std::vector<Format>& formats()
       .extensions = { "off" },
       .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
       .writes = { .points = true, .triangles = true, .colors = true },
+      .writeParameters = { consistentParameter() },
       .looksLike = looksLikeOff,
       .makeReader = makeReader<vtkScanOffReader>,
       .makeWriter = makeWriter<vtkScanOffWriter> },
@@ -175,6 +224,7 @@ const std::vector<Format>& formats()
       .extensions = { "3ds" },
       .reads = { .points = true, .triangles = true },
       .writes = { .triangles = true, .limits = "7 digits; parts of 65,535 points or triangles" },
+      .writeParameters = { consistentParameter() },
       .looksLike = looksLikeAutodesk3ds,
       .makeReader = makeReader<vtkScanAutodesk3dsReader>,
       .makeWriter = makeWriter<vtkScanAutodesk3dsWriter> },
@@ -182,35 +232,43 @@ const std::vector<Format>& formats()
       .extensions = { "dxf" },
       .writes = { .points = true,
         .triangles = true,
+        .curves = true,
         .limits = "polyface: parts of 32,767 points or triangles" },
       .writeParameters = { { .name = "faces",
-        .defaultValue = "3dface",
-        .help = "triangles one by one, which every program reads, or meshes with shared points",
-        .choices = { "3dface", "polyface" } } },
+                             .defaultValue = "3dface",
+                             .help = "triangles one by one, which every program reads, or meshes "
+                                     "with shared points",
+                             .choices = { "3dface", "polyface" } },
+        consistentParameter() },
       .makeWriter = makeWriter<vtkScanDxfWriter> },
     { .name = "Open Inventor",
       .extensions = { "iv" },
-      .writes = { .points = true, .triangles = true, .colors = true },
+      .writes = { .points = true, .triangles = true, .curves = true, .colors = true },
+      .writeParameters = { consistentParameter() },
       .makeWriter = makeWriter<vtkScanInventorWriter> },
     { .name = "VRML",
       .extensions = { "wrl", "vrml" },
-      .writes = { .points = true, .triangles = true, .colors = true },
+      .writes = { .points = true, .triangles = true, .curves = true, .colors = true },
       .writeParameters = { { .name = "version",
-        .defaultValue = "97",
-        .help = "VRML97, also named 2.0, or the older 1.0",
-        .choices = { "97", "1.0" } } },
+                             .defaultValue = "97",
+                             .help = "VRML97, also named 2.0, or the older 1.0",
+                             .choices = { "97", "1.0" } },
+        consistentParameter() },
       .makeWriter = makeWriter<vtkScanVrmlWriter> },
     { .name = "IGES",
       .extensions = { "igs", "iges" },
-      .reads = { .triangles = true },
+      .reads = { .triangles = true, .unit = "millimetre" },
       .writes = { .points = true,
         .triangles = true,
-        .unit = "in the file, read as millimetre",
+        .curves = true,
+        .unit = "in the file",
         .limits = "1.4 million triangles, 600,000 as a solid" },
       .writeParameters = { { .name = "entities",
-        .defaultValue = "faces",
-        .help = "planes one by one, one solid of a closed surface, patches, polylines, points",
-        .choices = { "faces", "solid", "nurbs", "wireframe", "points" } } },
+                             .defaultValue = "faces",
+                             .help = "planes one by one, one solid of a closed surface, patches, "
+                                     "polylines, points",
+                             .choices = { "faces", "solid", "nurbs", "wireframe", "points" } },
+        consistentParameter() },
       .looksLike = looksLikeIges,
       .makeReader = makeReader<vtkScanCadReader>,
       .makeWriter = makeWriter<vtkScanIgesWriter> },
@@ -219,16 +277,18 @@ const std::vector<Format>& formats()
       .writeExtensions = { "glb" },
       .reads = { .points = true,
         .triangles = true,
+        .curves = true,
         .colors = true,
         .normals = true,
-        .unit = "metre",
-        .limits = "buffers in the file only" },
+        .unit = "metre" },
       .writes = { .points = true,
         .triangles = true,
+        .curves = true,
         .colors = true,
         .normals = true,
         .unit = "metre",
-        .limits = "written as glb: 7 digits around the centre, 4 GB; buffers in the file" },
+        .limits = "written as glb: 7 digits around the centre, 4 GB" },
+      .writeParameters = { consistentParameter() },
       .looksLike = looksLikeGltf,
       .makeReader = makeReader<vtkScanGltfReader>,
       .makeWriter = makeWriter<vtkScanGlbWriter> },
@@ -236,24 +296,41 @@ const std::vector<Format>& formats()
       .extensions = { "3mf" },
       .reads = { .triangles = true, .unit = "in the file" },
       .writes = { .triangles = true, .unit = "in the file" },
+      .writeParameters = { consistentParameter() },
       .looksLike = looksLikeThreemf,
       .makeReader = makeReader<vtkScanThreemfReader>,
       .makeWriter = makeWriter<vtkScanThreemfWriter> },
     { .name = "STEP",
       .extensions = { "stp", "step" },
-      .reads = { .triangles = true, .unit = "read as millimetre" },
+      .reads = { .triangles = true, .unit = "millimetre" },
       .looksLike = looksLikeStep,
       .makeReader = makeReader<vtkScanCadReader> },
     { .name = "VTK XML PolyData",
       .extensions = { "vtp" },
-      .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
-      .writes = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .reads = { .points = true,
+        .triangles = true,
+        .curves = true,
+        .colors = true,
+        .normals = true,
+        .unit = "in the file" },
+      .writes = { .points = true,
+        .triangles = true,
+        .curves = true,
+        .colors = true,
+        .normals = true,
+        .unit = "in the file" },
+      .writeParameters = { consistentParameter() },
       .looksLike = looksLikeVtp,
       .makeReader = makeReader<vtkScanVtpReader>,
       .makeWriter = makeWriter<vtkScanVtpWriter> },
     { .name = "legacy VTK",
       .extensions = { "vtk" },
-      .reads = { .points = true, .triangles = true, .colors = true, .normals = true },
+      .reads = { .points = true,
+        .triangles = true,
+        .curves = true,
+        .colors = true,
+        .normals = true,
+        .unit = "in the file" },
       .looksLike = looksLikeLegacyVtk,
       .makeReader = makeReader<vtkScanLegacyVtkReader> },
     { .name = "LAS",
@@ -274,7 +351,7 @@ const std::vector<Format>& formats()
       .reads = { .points = true,
         .triangles = true,
         .colors = true,
-        .unit = "read as millimetre",
+        .unit = "millimetre",
         .limits = "triangles with --as=mesh" },
       .looksLike = looksLikeCyberware,
       .makeReader = makeReader<vtkScanCyberwareReader> },

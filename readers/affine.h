@@ -33,6 +33,16 @@ struct Affine
   }
 };
 
+/// The rotation by a quaternion of any length; the identity for one of length 0.
+inline Affine rotationBy(double x, double y, double z, double w)
+{
+  const double length = x * x + y * y + z * z + w * w;
+  const double k = length > 0.0 ? 2.0 / length : 0.0;
+  return { { 1 - k * (y * y + z * z), k * (x * y + z * w), k * (x * z - y * w) },
+    { k * (x * y - z * w), 1 - k * (x * x + z * z), k * (y * z + x * w) },
+    { k * (x * z + y * w), k * (y * z - x * w), 1 - k * (x * x + y * y) }, {} };
+}
+
 /// First `inner`, then `outer`.
 inline Affine operator*(const Affine& outer, const Affine& inner)
 {

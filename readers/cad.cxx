@@ -44,9 +44,8 @@ namespace scan
 namespace
 {
 
-constexpr std::size_t kIgesColumns = 72;     // of data; the section and the number follow
-constexpr double kRelativeDeflection = 1e-3; // of the diagonal
-constexpr double kRelativeGap = 1e-5;        // between loose faces that meet, of the diagonal
+constexpr std::size_t kIgesColumns = 72; // of data; the section and the number follow
+constexpr double kRelativeGap = 1e-5;    // between loose faces that meet, of the diagonal
 
 /// A progress bar of OpenCASCADE that reports every percent.
 class FractionIndicator : public Message_ProgressIndicator
@@ -219,7 +218,7 @@ TriMesh meshOf(
     source.fail("no surfaces found; export the model as surfaces or solids");
   }
   const double deflection =
-    options.deflection > 0.0 ? options.deflection : kRelativeDeflection * diagonal;
+    options.deflection > 0.0 ? options.deflection : options.relativeDeflection * diagonal;
   const Message_ProgressRange sewing = progress.Next(4);
   const double gap = std::max(content.resolution, kRelativeGap * diagonal);
   const TopoDS_Shape shape = content.mayHaveLooseFaces
@@ -249,12 +248,13 @@ TriMesh guardedMeshOf(
 void check(const CadOptions& options)
 {
   const bool isUsable = options.deflection >= 0.0 &&
-    options.deflection < CoordinateCheck::kLargest && options.angle > 0.0 &&
-    options.angle <= std::numbers::pi;
+    options.deflection < CoordinateCheck::kLargest && options.relativeDeflection > 0.0 &&
+    options.relativeDeflection <= 1.0 && options.angle > 0.0 && options.angle <= std::numbers::pi;
   if (!isUsable)
   {
     throw Error(ErrorCode::badParameter,
-      "the deflection must be 0 or more, the angle more than 0 and at most pi");
+      "the deflection must be 0 or more, or more than 0 and at most 1 of the diagonal; the angle "
+      "more than 0 and at most pi");
   }
 }
 

@@ -14,9 +14,12 @@ namespace scan
 /// How finely the surfaces of a CAD file become triangles.
 struct CadOptions
 {
-  /// Largest distance wanted between the triangles and the surface, in millimetres; 0: a
-  /// thousandth of the diagonal of the bounding box. Held for samples of all triangles.
+  /// Largest distance wanted between the triangles and the surface, in millimetres; 0: the relative
+  /// one counts. Held for samples of all triangles.
   double deflection = 0.0;
+
+  /// The same as a fraction of the diagonal of the bounding box, more than 0.
+  double relativeDeflection = 1e-3;
 
   /// Largest turn of the surface along an edge of a triangle, in radians, more than 0.
   double angle = 0.35;

@@ -140,13 +140,8 @@ private:
     const auto t = this->numbers<3>(node, index, "translation", { 0, 0, 0 });
     const auto r = this->numbers<4>(node, index, "rotation", { 0, 0, 0, 1 });
     const auto s = this->numbers<3>(node, index, "scale", { 1, 1, 1 });
-    const auto [x, y, z, w] = r;
-    const double length = x * x + y * y + z * z + w * w;
-    const double k = length > 0.0 ? 2.0 / length : 0.0;
-    return { Vec3{ 1 - k * (y * y + z * z), k * (x * y + z * w), k * (x * z - y * w) } * s[0],
-      Vec3{ k * (x * y - z * w), 1 - k * (x * x + z * z), k * (y * z + x * w) } * s[1],
-      Vec3{ k * (x * z + y * w), k * (y * z - x * w), 1 - k * (x * x + y * y) } * s[2],
-      { t[0], t[1], t[2] } };
+    const Affine rotation = rotationBy(r[0], r[1], r[2], r[3]);
+    return { rotation.x * s[0], rotation.y * s[1], rotation.z * s[2], { t[0], t[1], t[2] } };
   }
 
   const GltfDocument& Document;

@@ -12,12 +12,14 @@ void vtkScanCadReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
 }
 
 scan::Model vtkScanCadReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  const scan::CadOptions options{ .deflection = this->Tolerance };
+  const scan::CadOptions options{ .deflection = this->Tolerance,
+    .relativeDeflection = this->RelativeTolerance };
   if (scan::looksLikeStep(bytes))
   {
     return scan::parseStep(bytes, name, options, execution);

@@ -16,10 +16,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Largest distance between the triangles and the surfaces, in millimetres; 0, the default: a
-  /// thousandth of the diagonal of the bounding box.
+  /// Largest distance between the triangles and the surfaces, in millimetres; 0, the default: the
+  /// relative one counts.
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// The same as a fraction of the diagonal of the bounding box. Default: 0.001.
+  vtkSetMacro(RelativeTolerance, double);
+  vtkGetMacro(RelativeTolerance, double);
   ///@}
 
 protected:
@@ -31,4 +37,5 @@ protected:
 
 private:
   double Tolerance = 0.0;
+  double RelativeTolerance = 1e-3;
 };

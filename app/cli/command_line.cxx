@@ -4,10 +4,12 @@
 
 #include "app/cli/suggestion.h"
 #include "filters/base/error.h"
+#include "filters/base/unit.h"
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 namespace scan
@@ -39,6 +41,15 @@ std::int64_t parseBytes(const std::string& text)
     number *= 1024.0;
   }
   return static_cast<std::int64_t>(number);
+}
+
+/// What --unit takes.
+std::vector<std::string> unitChoices()
+{
+  std::vector<std::string> choices = { "file" };
+  std::ranges::transform(
+    kUnits, std::back_inserter(choices), [](const Unit& unit) { return std::string(unit.symbol); });
+  return choices;
 }
 
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters)
@@ -255,7 +266,14 @@ private:
     line.progress = progress == "json" ? ProgressMode::json
       : progress == "none"             ? ProgressMode::none
                                        : ProgressMode::automatic;
-    line.readAs = as == "points" ? ReadAs::points : as == "mesh" ? ReadAs::mesh : ReadAs::automatic;
+    line.reading.as = as == "points" ? ReadAs::points
+      : as == "mesh"                 ? ReadAs::mesh
+                                     : ReadAs::automatic;
+    line.reading.tolerance = this->global<Length>("tolerance");
+    line.transforms = this->global<std::string>("transforms");
+    const auto symbol = this->global<std::string>("unit");
+    const auto* const unit = std::ranges::find(kUnits, symbol, &Unit::symbol);
+    line.unit = unit != kUnits.end() ? unit->millimetres : 0.0;
     line.encoding = this->global<std::string>("encoding");
     if (this->global<bool>("help"))
     {
@@ -291,6 +309,17 @@ const std::vector<Parameter>& globalOptions()
       .defaultValue = "auto",
       .help = "what to take from the input files: what they hold, points only, or meshes only",
       .choices = { "auto", "points", "mesh" } },
+    { .name = "unit",
+      .defaultValue = "file",
+      .help = "of input files that do not tell theirs; file for what they tell, or none",
+      .choices = unitChoices() },
+    { .name = "tolerance",
+      .defaultValue = ReadOptions().tolerance,
+      .help = "distance of the triangles of STEP and IGES files from their surfaces; % of the size",
+      .minimum = 0 },
+    { .name = "transforms",
+      .defaultValue = "",
+      .help = "a list that places the input files: a name and 16, 12 or 7 numbers for each" },
     { .name = "encoding",
       .defaultValue = "binary",
       .help = "of PLY and STL outputs",

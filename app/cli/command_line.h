@@ -61,8 +61,10 @@ struct CommandLine
   bool overwrite = false;
   ProgressMode progress = ProgressMode::automatic;
   std::string json; ///< path of the record, "-" for standard output; empty: none
-  ReadAs readAs = ReadAs::automatic;
-  std::string encoding; ///< for outputs that have it and do not give their own
+  ReadOptions reading;
+  double unit = 0.0;      ///< of inputs that do not tell theirs, in millimetres; 0: none
+  std::string transforms; ///< path of a list that places the inputs; empty: none
+  std::string encoding;   ///< for outputs that have it and do not give their own
 };
 
 /// The options that are not a verb's, for the parser and the help.

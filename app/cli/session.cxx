@@ -6,7 +6,7 @@
 #include "app/cli/record.h"
 #include "app/cli/terminal_progress.h"
 #include "filters/base/error.h"
-#include "pipeline/merge_models.h"
+#include "pipeline/input_models.h"
 #include "pipeline/output_files.h"
 #include "pipeline/runner.h"
 
@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 namespace scan
 {
@@ -124,8 +125,16 @@ public:
       throw Failure(
         ExitStatus::usage, "the result would be lost; add -o FILE, or info to measure it");
     }
+    if (!this->Line.transforms.empty())
+    {
+      translated(ExitStatus::usage, [&] { this->Transforms.emplace(this->Line.transforms); });
+    }
     for (const std::string& input : this->Line.inputs)
     {
+      if (this->Transforms)
+      {
+        translated(ExitStatus::usage, [&] { this->Transforms->placeOf(input); });
+      }
       this->InputFormats.push_back(
         translated(ExitStatus::usage, [&] { return &formatToRead(input, this->Options.token); }));
     }
@@ -158,12 +167,14 @@ public:
 
   void run()
   {
-    std::vector<vtkSmartPointer<vtkPolyData>> parts;
+    std::vector<InputModel> parts;
     for (std::size_t i = 0; i < this->Line.inputs.size(); ++i)
     {
       parts.push_back(this->open(this->Line.inputs[i], *this->InputFormats[i]));
     }
-    this->Model = translated(ExitStatus::failed, [&] { return mergeModels(parts); });
+    const InputModel merged = translated(ExitStatus::usage, [&] { return mergeModels(parts); });
+    this->note(merged.note);
+    this->Model = merged.data;
     for (const CommandLine::Step& step : this->Line.steps)
     {
       if (const auto* output = std::get_if<OutputWish>(&step))
@@ -198,13 +209,34 @@ private:
       });
   }
 
-  vtkSmartPointer<vtkPolyData> open(const std::string& path, const Format& format)
+  InputModel open(const std::string& path, const Format& format)
   {
-    const auto reader = format.makeReader(path, this->Line.readAs);
+    const auto reader =
+      translated(ExitStatus::usage, [&] { return format.makeReader(path, this->Line.reading); });
     this->Progress.start("open");
     const StepResult step = this->finish("open", { { "file", path } },
       runAlgorithm(*reader, nullptr, this->Options), ExitStatus::usage);
-    return vtkPolyData::SafeDownCast(step.output);
+    this->note(step.note, path);
+    InputModel model{ vtkPolyData::SafeDownCast(step.output), path, {} };
+    return translated(ExitStatus::usage,
+      [&]
+      {
+        if (this->Line.unit > 0.0)
+        {
+          model = withUnit(std::move(model), this->Line.unit);
+          this->note(model.note);
+        }
+        return this->Transforms ? placed(std::move(model), this->Transforms->placeOf(path)) : model;
+      });
+  }
+
+  /// What the user should know, told when everything went well.
+  void note(const std::string& text, const std::string& about = {})
+  {
+    if (!text.empty() && !this->Line.quiet)
+    {
+      this->Notes += "scanwrap: " + about + (about.empty() ? "" : ": ") + text + "\n";
+    }
   }
 
   void apply(const OperationWish& wish)
@@ -215,10 +247,7 @@ private:
     const std::string table = tableOf(found.results);
     const StepResult step = this->finish(
       operation.verb, completeValues(operation, wish.given), std::move(found), ExitStatus::failed);
-    if (!step.note.empty() && !this->Line.quiet)
-    {
-      this->Notes += "scanwrap: " + operation.verb + ": " + step.note + "\n";
-    }
+    this->note(step.note, operation.verb);
     if (auto* const model = vtkPolyData::SafeDownCast(step.output))
     {
       this->Model = model;
@@ -264,7 +293,10 @@ private:
     const auto writer = format.makeWriter(path, values);
     this->Progress.start("save");
     values.emplace("file", path);
-    this->finish("save", values, runAlgorithm(*writer, data, this->Options), ExitStatus::failed);
+    StepResult saved = runAlgorithm(*writer, data, this->Options);
+    const std::string losses = lossesOf(format, *this->Model);
+    saved.note += (saved.note.empty() || losses.empty() ? "" : "; ") + losses;
+    this->note(this->finish("save", values, std::move(saved), ExitStatus::failed).note, path);
   }
 
   /// Records a step and throws unless it went well.
@@ -301,10 +333,11 @@ private:
   RunOptions Options;
   Record Steps;
   std::vector<const Format*> InputFormats;
+  std::optional<TransformList> Transforms;
   bool IsOutputFree = true; // nobody asked for data on standard output
   vtkSmartPointer<vtkPolyData> Model;
   vtkSmartPointer<vtkDataObject> Picture; // of the model as it is
-  std::string Notes;                      ///< told when everything went well
+  std::string Notes;
 };
 
 } // namespace

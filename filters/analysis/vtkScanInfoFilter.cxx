@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/analysis/vtkScanInfoFilter.h"
 
-#include "filters/base/vtkScanMeshBridge.h"
 #include "filters/geometry/spacing.h"
 
 #include <vtkObjectFactory.h>
@@ -24,6 +23,9 @@ void vtkScanInfoFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
   this->Report = scan::describeMesh(mesh);
   execution.step("measure", 1, 2);
   this->Spacing = scan::meanSpacing(mesh.points);
+  this->MillimetresPerUnit = scan::bridge::unitOf(input);
+  this->Curves = input.GetNumberOfLines();
+  this->Files = scan::bridge::scanFilesOf(input);
   output.ShallowCopy(&input);
   execution.step("measure", 2, 2);
 }

@@ -3,11 +3,14 @@
 #pragma once
 
 #include "ScanFiltersModule.h" // export macro
+#include "filters/base/vtkScanMeshBridge.h"
 #include "filters/base/vtkScanPolyDataFilter.h"
 #include "filters/geometry/mesh_checks.h"
 
-/// Measures a model and passes it on unchanged: counts, box, holes, components, genus, area,
-/// volume, edge lengths. Works on points without triangles, too.
+#include <vector>
+
+/// Measures a model and passes it on unchanged: unit, files, counts, box, holes, components, genus,
+/// area, volume, edge lengths. Works on points without triangles, too.
 class SCANFILTERS_EXPORT vtkScanInfoFilter : public vtkScanPolyDataFilter
 {
 public:
@@ -22,6 +25,15 @@ public:
   /// Mean spacing of the last run's points, see filters/geometry/spacing.h.
   double GetSpacing() const { return this->Spacing; }
 
+  /// Of the last run's input, in millimetres; 0 without a unit.
+  double GetMillimetresPerUnit() const { return this->MillimetresPerUnit; }
+
+  /// The number of curves of the last run's input.
+  vtkIdType GetCurves() const { return this->Curves; }
+
+  /// The files that the last run's input comes from, when there were several.
+  const std::vector<scan::bridge::ScanFile>& GetFiles() const { return this->Files; }
+
 protected:
   vtkScanInfoFilter() = default;
   ~vtkScanInfoFilter() override = default;
@@ -32,4 +44,7 @@ protected:
 private:
   scan::MeshReport Report;
   double Spacing = 0.0;
+  double MillimetresPerUnit = 0.0;
+  vtkIdType Curves = 0;
+  std::vector<scan::bridge::ScanFile> Files;
 };

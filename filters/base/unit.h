@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 namespace scan
@@ -25,6 +27,21 @@ inline constexpr std::array<Unit, 7> kUnits = { { { "um", "micrometre", 1e-3 },
 inline bool isSameUnit(double a, double b)
 {
   return std::abs(a - b) <= 1e-9 * std::abs(b);
+}
+
+/// "millimetre", or "304.8006 mm" for a unit without a name.
+inline std::string nameOfUnit(double millimetres)
+{
+  for (const Unit& unit : kUnits)
+  {
+    if (isSameUnit(millimetres, unit.millimetres))
+    {
+      return std::string(unit.name);
+    }
+  }
+  std::array<char, 32> digits;
+  char* const end = std::to_chars(digits.begin(), digits.end(), millimetres).ptr;
+  return std::string(digits.data(), end) + " mm";
 }
 
 } // namespace scan

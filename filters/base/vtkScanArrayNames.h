@@ -18,6 +18,11 @@ inline constexpr const char* kNormals = "Normals";
 /// Field data, one double: the unit of the coordinates in millimetres, where a file says so.
 inline constexpr const char* kMillimetresPerUnit = "MillimetresPerUnit";
 
+/// Field data of a model that several files make: their names, a vtkStringArray, and for each the
+/// scan-point id behind its last point, a vtkIdTypeArray. So ScanPointId tells the file, too.
+inline constexpr const char* kScanFileNames = "ScanFileNames";
+inline constexpr const char* kScanFileEnds = "ScanFileEnds";
+
 /// Cell and field data of wraps: see vtkScanWrapData.
 inline constexpr const char* kBlock = "Block";
 inline constexpr const char* kBlockSize = "BlockSize";

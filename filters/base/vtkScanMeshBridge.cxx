@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
@@ -307,9 +308,7 @@ Model modelOf(vtkPolyData& data)
       model.normals[i] = { x, y, z };
     }
   }
-  vtkDataArray* const unit = data.GetFieldData()->GetArray(arrays::kMillimetresPerUnit);
-  model.millimetresPerUnit =
-    unit != nullptr && unit->GetNumberOfTuples() > 0 ? unit->GetTuple1(0) : 0.0;
+  model.millimetresPerUnit = unitOf(data);
   return model;
 }
 
@@ -344,10 +343,34 @@ void setModel(vtkPolyData& output, const Model& model)
   }
   if (model.millimetresPerUnit > 0.0)
   {
-    vtkNew<vtkDoubleArray> unit;
-    unit->SetName(arrays::kMillimetresPerUnit);
-    unit->InsertNextValue(model.millimetresPerUnit);
-    output.GetFieldData()->AddArray(unit);
+    setUnit(output, model.millimetresPerUnit);
+  }
+}
+
+double unitOf(vtkDataObject& data)
+{
+  vtkDataArray* const unit = data.GetFieldData()->GetArray(arrays::kMillimetresPerUnit);
+  return unit != nullptr && unit->GetNumberOfTuples() > 0 ? unit->GetTuple1(0) : 0.0;
+}
+
+void setUnit(vtkDataObject& data, double millimetres)
+{
+  vtkNew<vtkDoubleArray> unit;
+  unit->SetName(arrays::kMillimetresPerUnit);
+  unit->InsertNextValue(millimetres);
+  data.GetFieldData()->AddArray(unit);
+}
+
+void passOrigin(vtkDataObject& input, vtkDataObject& output)
+{
+  for (const char* const name :
+    { arrays::kMillimetresPerUnit, arrays::kScanFileNames, arrays::kScanFileEnds })
+  {
+    vtkAbstractArray* const array = input.GetFieldData()->GetAbstractArray(name);
+    if (array != nullptr)
+    {
+      output.GetFieldData()->AddArray(array);
+    }
   }
 }
 
@@ -365,6 +388,34 @@ std::vector<vtkIdType> scanPointIdsOf(vtkPolyData& data)
     ids[i] = static_cast<vtkIdType>(array->GetTuple1(static_cast<vtkIdType>(i)));
   }
   return ids;
+}
+
+std::vector<ScanFile> scanFilesOf(vtkPolyData& data)
+{
+  vtkFieldData& fields = *data.GetFieldData();
+  auto* const names = vtkStringArray::SafeDownCast(fields.GetAbstractArray(arrays::kScanFileNames));
+  vtkDataArray* const ends = fields.GetArray(arrays::kScanFileEnds);
+  if (names == nullptr || ends == nullptr ||
+    names->GetNumberOfValues() != ends->GetNumberOfTuples())
+  {
+    return {};
+  }
+  std::vector<ScanFile> files(static_cast<std::size_t>(ends->GetNumberOfTuples()));
+  std::vector<vtkIdType> behind;
+  for (vtkIdType i = 0; i < ends->GetNumberOfTuples(); ++i)
+  {
+    files[static_cast<std::size_t>(i)].name = names->GetValue(i);
+    behind.push_back(static_cast<vtkIdType>(ends->GetTuple1(i)));
+  }
+  for (const vtkIdType id : scanPointIdsOf(data))
+  {
+    const auto file = std::ranges::upper_bound(behind, id);
+    if (file != behind.end())
+    {
+      ++files[static_cast<std::size_t>(file - behind.begin())].points;
+    }
+  }
+  return files;
 }
 
 void setScanPointIds(vtkPolyData& output, std::span<const vtkIdType> ids)

@@ -7,9 +7,12 @@
 
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkPolyData;
 
 /// The only place that converts between vtkPolyData and the arrays of the kernels.
@@ -42,8 +45,28 @@ Model modelOf(vtkPolyData& data);
 /// point of a scan, and the arrays of vtkScanArrayNames.h for what it knows.
 void setModel(vtkPolyData& output, const Model& model);
 
+/// The unit of the coordinates of `data` in millimetres; 0 when it has none.
+double unitOf(vtkDataObject& data);
+
+/// Gives `data` a unit.
+void setUnit(vtkDataObject& data, double millimetres);
+
+/// Gives `output` what `input` says about itself and points do not tell: the unit and the files
+/// that it comes from.
+void passOrigin(vtkDataObject& input, vtkDataObject& output);
+
 /// The scan-point id of every point of `data`: its ScanPointId array, else 0, 1, 2, ...
 std::vector<vtkIdType> scanPointIdsOf(vtkPolyData& data);
+
+/// A file that a model comes from.
+struct ScanFile
+{
+  std::string name;
+  std::size_t points = 0; ///< of the model that come from it
+};
+
+/// The files that make `data`; none for a model that comes from a single one.
+std::vector<ScanFile> scanFilesOf(vtkPolyData& data);
 
 /// Sets the ScanPointId array of `output`.
 void setScanPointIds(vtkPolyData& output, std::span<const vtkIdType> ids);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/base/vtkScanPolyDataFilter.h"
 
+#include "filters/base/vtkScanMeshBridge.h"
+
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -41,5 +43,6 @@ int vtkScanPolyDataFilter::RequestData(
         throw scan::Error(scan::ErrorCode::badInput, "the input is no polygonal data");
       }
       this->Run(*input, *output, execution);
+      scan::bridge::passOrigin(*input, *output);
     });
 }

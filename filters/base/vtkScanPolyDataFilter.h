@@ -23,7 +23,8 @@ protected:
   vtkScanPolyDataFilter() = default;
   ~vtkScanPolyDataFilter() override = default;
 
-  /// Fills `output`, which is empty; `input` must stay as it is. Throws scan::Error.
+  /// Fills `output`, which is empty; `input` must stay as it is. The unit and the files of the
+  /// input are passed on afterwards. Throws scan::Error.
   virtual void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) = 0;
 
   /// The empty output of the next run. Default: vtkPolyData.

@@ -8,9 +8,10 @@
 namespace scan
 {
 
-double inModelUnits(const Length& length, std::span<const Vec3> points)
+double inModelUnits(const Length& length, std::span<const Vec3> points, double millimetresPerUnit)
 {
   LengthScale scale;
+  scale.millimetresPerUnit = millimetresPerUnit > 0.0 ? millimetresPerUnit : 1.0;
   scale.diagonal = BoundingBox(points).diagonal();
   if (length.unit() == Length::Unit::spacing)
   {

@@ -12,6 +12,7 @@ namespace scan
 
 /// A length in model units, for a model with these points: percent of their bounding-box diagonal,
 /// multiples of their mean spacing. The spacing is measured only when it is asked for.
-double inModelUnits(const Length& length, std::span<const Vec3> points);
+/// @param millimetresPerUnit 0: unknown, counts as 1
+double inModelUnits(const Length& length, std::span<const Vec3> points, double millimetresPerUnit);
 
 } // namespace scan

@@ -3,6 +3,7 @@
 #include "filters/wrap/vtkScanWrapEditFilter.h"
 
 #include "filters/base/error.h"
+#include "filters/base/vtkScanMeshBridge.h"
 #include "filters/geometry/facet_search.h"
 #include "filters/geometry/model_length.h"
 
@@ -57,7 +58,7 @@ std::vector<scan::Facet> vtkScanWrapEditFilter::FindMarks(
 {
   const std::vector<scan::Facet>& facets = wrap.GetFacets();
   const scan::DelaunayComplex& complex = wrap.GetModel().scan->delaunay();
-  const double within = inModelUnits(this->Within, complex.points);
+  const double within = inModelUnits(this->Within, complex.points, scan::bridge::unitOf(wrap));
   std::vector<scan::Facet> marks = this->FindTriangles(wrap);
   for (const scan::Vec3& point : this->Points)
   {

@@ -64,7 +64,8 @@ void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
   }
   if (this->Size.value() > 0.0)
   {
-    options.size = inModelUnits(this->Size, scan ? scan->delaunay().points : points);
+    options.size = inModelUnits(
+      this->Size, scan ? scan->delaunay().points : points, scan::bridge::unitOf(input));
   }
   const bool withBlocks = options.mode == Options::Mode::classic;
   std::vector<scan::Phase> phases = scan::wrapPhases(options);
