@@ -6,6 +6,7 @@
 #include "filters/base/vtkScanArrayNames.h"
 #include "pipeline/file_head.h"
 #include "pipeline/unread_formats.h"
+#include "readers/text_scanner.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -22,11 +23,8 @@ namespace
 
 std::string extensionOf(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  extension.erase(0, 1);
-  std::ranges::transform(extension, extension.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension.empty() ? extension : lowerCase(extension).substr(1);
 }
 
 bool hasExtension(const Format& format, const std::string& extension)
@@ -87,10 +85,11 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
       found = &format;
     }
   }
-  if (found == nullptr)
+  if (found == nullptr || (found->isVague && !hasExtension(*found, extension)))
   {
     // the parser of the promised format says best what is wrong
-    found = readableByExtension(extension);
+    const Format* const promised = readableByExtension(extension);
+    found = promised != nullptr ? promised : found;
   }
   if (found == nullptr)
   {

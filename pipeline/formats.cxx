@@ -369,7 +369,6 @@ const std::vector<Format>& formats()
       .extensions = { "dbt", "dig" },
       .reads = { .points = true, .unit = "in the file", .limits = "text; not verified" },
       .looksLike = looksLikeDigibotics,
-      .isVague = true,
       .makeReader = makeReader<vtkScanDigiboticsReader> },
     { .name = "points as text",
       .extensions = { "xyz", "txt", "asc", "pts", "csv" },

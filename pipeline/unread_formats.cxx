@@ -30,6 +30,8 @@ constexpr UnreadFormat kUnread[] = {
   { "MeshVersionFormatted"sv, "is a Medit mesh, which is not read; export it as OFF, PLY or STL" },
   { "DBRep_DrawableShape"sv, "is an OpenCASCADE shape, which is not read; export it as STEP" },
   { "CASCADE Topology"sv, "is an OpenCASCADE shape, which is not read; export it as STEP" },
+  { "ncols"sv, "is an ESRI grid of heights, which is not read; export it as XYZ" },
+  { "NCOLS"sv, "is an ESRI grid of heights, which is not read; export it as XYZ" },
   { "AutoCAD Binary DXF"sv, "is a drawing, which is not read; export it as STL or OBJ" },
   { "\xD0\xCF\x11\xE0"sv,
     "is an office or CAD document, which is not read; export it as STL or STEP" },

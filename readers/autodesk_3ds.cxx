@@ -75,7 +75,7 @@ public:
     {
       this->Input.fail("no mesh with vertices found; export meshes, not only lights and cameras");
     }
-    this->Check.finish(this->Input, this->Result.points.size(), CoordinateCheck::Place::byte);
+    this->Check.finish(this->Input, this->Result, CoordinateCheck::Place::byte);
     return std::move(this->Result);
   }
 
@@ -176,11 +176,7 @@ private:
   {
     constexpr std::size_t kSize = 3 * sizeof(float);
     const std::size_t count = this->countOf(chunk, kSize, "vertices");
-    if (this->Result.points.size() + count >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Input.name) + ": more than 4294967294 points; split the file");
-    }
+    this->Input.checkPointCount(this->Result.points.size() + count);
     const char* at = chunk.begin + sizeof(std::uint16_t);
     for (std::size_t i = 0; i < count; ++i, at += kSize)
     {

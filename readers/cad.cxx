@@ -265,12 +265,7 @@ Model modelOf(const Source& source, const CadOptions& options, Read read, Execut
   Model model{ runIsolated([&](const ReportFraction& report)
     { return Model{ guardedMeshOf(source, options, read, report) }; },
     whenItDies, execution) };
-  const auto isBad = [](const Vec3& p)
-  {
-    return !(
-      std::max({ std::abs(p.x), std::abs(p.y), std::abs(p.z) }) <= CoordinateCheck::kLargest);
-  };
-  if (model.triangles.empty() || std::ranges::any_of(model.points, isBad))
+  if (model.triangles.empty() || !std::ranges::all_of(model.points, CoordinateCheck::isUsable))
   {
     failOnContent(source);
   }

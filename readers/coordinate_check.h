@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filters/geometry/mesh.h"
+#include "filters/geometry/model.h"
 #include "readers/source.h"
 
 #include <cmath>
@@ -18,14 +18,18 @@ public:
   /// The largest usable coordinate: products of three still fit a double with room to spare.
   static constexpr double kLargest = 1e50;
 
-  /// @param at where the point stands in the file
-  void see(const Vec3& point, const char* at)
+  /// False for NaN.
+  static bool isUsable(const Vec3& p)
   {
-    const bool isUsable = std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest &&
-      std::abs(point.z) <= kLargest; // false for NaN
-    if (!isUsable)
+    return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest;
+  }
+
+  /// @param at where the point stands in the file, if that is known
+  void see(const Vec3& point, const char* at = nullptr)
+  {
+    if (!isUsable(point))
     {
-      this->First = this->Count++ == 0 ? at : this->First;
+      this->count(point, at);
     }
   }
 
@@ -35,14 +39,22 @@ public:
   enum class Place
   {
     line,
-    byte
+    byte,
+    unknown
   };
 
   /// Throws Error parse with the count and the first place when a point was unusable.
   void finish(const Source& source, std::size_t total, Place place) const;
 
+  /// Drops the points of a scan that are not a number, which depth cameras write for pixels without
+  /// depth, and notes how many; then as above. Throws Error parse when no point is left.
+  void finish(const Source& source, Model& model, Place place) const;
+
 private:
+  void count(const Vec3& point, const char* at);
+
   std::size_t Count = 0;
+  std::size_t Missing = 0; // not a number, and nothing else wrong
   const char* First = nullptr;
 };
 

@@ -60,6 +60,15 @@ public:
     {
       this->join(last, first);
     }
+    if (this->Negative > 0)
+    {
+      this->Scan.model.addNote(
+        "samples with a radius below zero left out: " + std::to_string(this->Negative));
+    }
+    if (header.space == CyberwareSpace::bilateral)
+    {
+      this->Scan.model.addNote("the two halves of the map lie over each other");
+    }
     return std::move(this->Scan);
   }
 
@@ -92,7 +101,7 @@ private:
       {
         const std::int64_t value = this->sample(lg, lt);
         count += this->isValid(value) ? 1 : 0;
-        this->Scan.negative += value != kVoid && !this->isValid(value) ? 1 : 0;
+        this->Negative += value != kVoid && !this->isValid(value) ? 1 : 0;
       }
     }
     if (count == 0)
@@ -209,6 +218,7 @@ private:
   const CyberwareOptions Options;
   Execution& Run;
   CyberwareScan Scan;
+  std::size_t Negative = 0; // radii below zero
 };
 
 /// The pixel of `pixels` that lies where `cell` does among `cells`.

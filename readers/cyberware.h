@@ -28,19 +28,19 @@ struct CyberwareScan
   std::vector<std::uint32_t> cells; ///< per point: longitude * latitudes + latitude
   std::uint32_t latitudes = 0;      ///< of the whole grid
   std::uint32_t longitudes = 0;
-  std::size_t negative = 0; ///< radii below zero in the window, left out; 0 unless cylindrical
 };
 
 /// Reads a Cyberware Echo range map with a portable or an older binary header; as points, longitude
 /// after longitude.
 ///
 /// Voids and samples outside the header's window are left out, in a cylindrical map also radii
-/// below zero. A cylindrical map turns about the y axis from -z towards +x (towards -x when it is
-/// marked as right-handed); y is 0 at the middle latitude. In a Cartesian map x runs along the
-/// longitudes, y along the latitudes, both 0 at the middle of the grid, and z is the sample; the
-/// halves of a bilateral map lie over each other. SCALE and RPROP are settings of viewers and do
-/// not change the coordinates. Samples have the byte order of a binary header, else the high byte
-/// first; bytes behind the last sample are ignored. Model::millimetresPerUnit is 1.
+/// below zero, with a note. A cylindrical map turns about the y axis from -z towards +x (towards -x
+/// when it is marked as right-handed); y is 0 at the middle latitude. In a Cartesian map x runs
+/// along the longitudes, y along the latitudes, both 0 at the middle of the grid, and z is the
+/// sample; the halves of a bilateral map lie over each other, with a note. SCALE and RPROP are
+/// settings of viewers and do not change the coordinates. Samples have the byte order of a binary
+/// header, else the high byte first; bytes behind the last sample are ignored.
+/// Model::millimetresPerUnit is 1.
 ///
 /// With CyberwareOptions::mesh, each cell of the grid with four points becomes two triangles,
 /// however long its edges are. The last longitude meets the first in a cylindrical map whose window

@@ -4,7 +4,7 @@
 
 #include "filters/base/error.h"
 #include "readers/coordinate_check.h"
-#include "readers/text_scanner.h"
+#include "readers/text_columns.h"
 
 #include <array>
 #include <cmath>
@@ -37,22 +37,6 @@ struct Line
   std::size_t count = 0;
 };
 
-bool isColumnEnd(const char* at, const char* end)
-{
-  return at == end || isSeparator(*at) || isLineEnd(*at);
-}
-
-bool isComment(const char* at, const char* end)
-{
-  return *at == '#' || *at == '!' || *at == ';' || (*at == '/' && at + 1 != end && at[1] == '/');
-}
-
-const char* skipSeparator(const char* at, const char* end)
-{
-  at = skipBlanks(at, end);
-  return at != end && (*at == ',' || *at == ';') ? skipBlanks(at + 1, end) : at;
-}
-
 Line readLine(const char* at, const char* end)
 {
   Line line;
@@ -61,15 +45,15 @@ Line readLine(const char* at, const char* end)
   {
     return line;
   }
-  if (isComment(at, end))
+  if (*at == ';' || isComment(at, end))
   {
     line.kind = LineKind::comment;
     return line;
   }
   while (line.count < line.values.size() && at != end && !isLineEnd(*at))
   {
-    const char* const stop = parseNumber(at, end, line.values[line.count]);
-    if (stop == nullptr || !isColumnEnd(stop, end))
+    const char* const stop = parseColumn(at, end, line.values[line.count]);
+    if (stop == nullptr)
     {
       break;
     }
@@ -120,7 +104,7 @@ void forEachWord(const char* at, const char* end, const See& see)
   std::string letters;
   for (; at != end && !isLineEnd(*at); ++at)
   {
-    const char lower = *at >= 'A' && *at <= 'Z' ? static_cast<char>(*at + 32) : *at;
+    const char lower = lowerCase(*at);
     if (lower >= 'a' && lower <= 'z')
     {
       letters += lower;
@@ -158,7 +142,8 @@ struct WordsOfLine
 {
   double millimetres = 0.0; // 0 when there is no unit
   bool isAboutUnits = false;
-  bool isAboutSlices = false;
+  bool startsSlice = false;
+  bool namesProgram = false;
 };
 
 WordsOfLine readWords(const char* at, const char* end)
@@ -173,8 +158,8 @@ WordsOfLine readWords(const char* at, const char* end)
         "profile" };
       const bool isSlice =
         std::find(std::begin(kSlices), std::end(kSlices), text) != std::end(kSlices);
-      result.isAboutSlices =
-        result.isAboutSlices || (isSlice && count == 0) || text.starts_with("digibot");
+      result.startsSlice = result.startsSlice || (isSlice && count == 0);
+      result.namesProgram = result.namesProgram || text.starts_with("digibot");
       result.isAboutUnits = result.isAboutUnits || text == "unit" || text == "units";
       double& unit = text == "in" ? ofIn : result.millimetres;
       unit = unit == 0.0 ? millimetresOf(text) : unit;
@@ -309,7 +294,7 @@ private:
     }
   }
 
-  void finish() const
+  void finish()
   {
     const std::size_t count = this->Result.points.size();
     if (count == 0)
@@ -322,12 +307,10 @@ private:
         std::to_string(this->Words) +
         " start with a word; this is no Digibotics text that can be read, export it as XYZ");
     }
-    if (count >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Text.name) + ": more than 4294967294 points; split the file");
-    }
-    this->Check.finish(this->Text, count, CoordinateCheck::Place::line);
+    this->Text.checkPointCount(count);
+    this->Check.finish(this->Text, this->Result, CoordinateCheck::Place::line);
+    this->Result.addNote("the layout of Digibotics files is not documented and was not verified; "
+                         "check a known size");
   }
 
   const Source& Text;
@@ -343,7 +326,7 @@ private:
 
 Model parseDigibotics(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
-  const Source source{ name, bytes };
+  const Source source = textOf(name, bytes);
   return ContourReader(source, execution).read();
 }
 
@@ -354,20 +337,21 @@ bool looksLikeDigibotics(std::span<const char> head)
     return false;
   }
   bool hasPoint = false;
-  bool hasWords = false;
+  bool hasMark = false;
   const char* const end = head.data() + head.size();
-  for (const char* at = head.data(); at != end; at = nextLine(at, end))
+  for (const char* at = skipUtf8Mark(head); at != end; at = nextLine(at, end))
   {
     const LineKind kind = readLine(at, end).kind;
     hasPoint = hasPoint || kind == LineKind::point;
     if (kind == LineKind::words || kind == LineKind::comment)
     {
       const WordsOfLine words = readWords(at, end);
-      const bool isUnit = words.millimetres != 0.0 && !hasPoint;
-      hasWords = hasWords || words.isAboutSlices || isUnit;
+      // a comment above the points may be about anything
+      hasMark = hasMark || words.namesProgram ||
+        (words.startsSlice && (hasPoint || kind == LineKind::words));
     }
   }
-  return hasPoint && hasWords;
+  return hasPoint && hasMark;
 }
 
 } // namespace scan

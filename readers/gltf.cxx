@@ -65,19 +65,13 @@ struct Mesh
   bool hasColors = false;
 };
 
-bool isUsable(const Vec3& point)
-{
-  constexpr double kLargest = CoordinateCheck::kLargest;
-  return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest &&
-    std::abs(point.z) <= kLargest; // false for NaN
-}
-
 /// Fills a model from the scene of a document.
 class Loader
 {
 public:
-  Loader(const Source& source, Execution& execution)
-    : Document(source, execution)
+  Loader(const Source& source, const GltfOptions& options, Execution& execution)
+    : Document(source, options.readBuffer, execution)
+    , Largest(options.largest)
     , Input(source)
     , Run(execution)
     , Meshes(this->Document.size("meshes"))
@@ -229,17 +223,13 @@ private:
     }
     const double bytes = points * (this->HasNormals ? 51.0 : 27.0) +
       (triangles + lineCorners) * double(sizeof(Triangle));
-    if (bytes > 12.0 * static_cast<double>(this->Input.bytes.size()) + 36e6)
+    if (bytes > std::max(this->Largest, 12.0 * static_cast<double>(this->Document.bytes())))
     {
       this->Input.fail("the scene shows its meshes so often that they take " +
         std::to_string(static_cast<std::uint64_t>(std::min(bytes, 1e18) / 1e6)) +
         " MB; export it with fewer copies");
     }
-    if (points >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Input.name) + ": more than 4294967294 points; split the file");
-    }
+    this->Input.checkPointCount(static_cast<std::uint64_t>(points));
     const auto count = static_cast<std::size_t>(points);
     this->Result.points.reserve(count);
     this->Result.normals.reserve(this->HasNormals ? count : 0);
@@ -290,12 +280,8 @@ private:
 
   void appendVertex(const VertexSet& set, std::size_t i, const Affine& place)
   {
-    const Vec3 point = place.point(vectorOf(set.positions, i));
-    if (!isUsable(point))
-    {
-      this->FirstUnusable = this->Unusable++ == 0 ? set.positions.index : this->FirstUnusable;
-    }
-    this->Result.points.push_back(point);
+    this->Result.points.push_back(place.point(vectorOf(set.positions, i)));
+    this->Check.see(this->Result.points.back());
     if (this->HasNormals)
     {
       this->Result.normals.push_back(
@@ -377,17 +363,12 @@ private:
     {
       this->Input.fail("the scene has no points and no triangles; export meshes");
     }
-    if (this->Unusable > 0)
-    {
-      this->Input.fail(std::to_string(this->Unusable) + " of " +
-        std::to_string(this->Result.points.size()) +
-        " points have coordinates that are not finite or exceed 1e50 (first: accessor " +
-        std::to_string(this->FirstUnusable) + "); remove them");
-    }
+    this->Check.finish(this->Input, this->Result, CoordinateCheck::Place::unknown);
     this->Result.millimetresPerUnit = 1000.0;
   }
 
   GltfDocument Document;
+  double Largest;
   const Source& Input;
   Execution& Run;
   std::vector<std::optional<Mesh>> Meshes;
@@ -395,8 +376,7 @@ private:
   Model Result;
   bool HasNormals = false;
   bool HasColors = false;
-  std::size_t Unusable = 0;
-  std::size_t FirstUnusable = 0;
+  CoordinateCheck Check;
   std::size_t Total = 0;
   std::size_t Done = 0;
 };
@@ -405,10 +385,16 @@ private:
 
 Model parseGltf(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
+  return parseGltfScene(bytes, name, {}, execution);
+}
+
+Model parseGltfScene(std::span<const char> bytes, std::string_view name, const GltfOptions& options,
+  Execution& execution)
+{
   const Source source{ name, bytes };
   try
   {
-    return Loader(source, execution).load();
+    return Loader(source, options, execution).load();
   }
   catch (const Json::exception& error)
   {
@@ -424,8 +410,7 @@ bool looksLikeGltf(std::span<const char> head)
     return true;
   }
   const char* const end = head.data() + head.size();
-  const char* const first =
-    skipSpace(head.data() + (text.starts_with("\xef\xbb\xbf") ? 3 : 0), end);
+  const char* const first = skipSpace(skipUtf8Mark(head), end);
   if (first == end || *first != '{')
   {
     return false;

@@ -42,8 +42,9 @@ unsigned sixBits(char c)
 
 } // namespace
 
-GltfDocument::GltfDocument(const Source& source, Execution& execution)
+GltfDocument::GltfDocument(const Source& source, const ReadBuffer& readBuffer, Execution& execution)
   : Input(source)
+  , Read(readBuffer)
 {
   this->Root = parseGltfJson(this->Input, this->findJson(), execution);
   if (!this->Root.is_object())
@@ -53,6 +54,7 @@ GltfDocument::GltfDocument(const Source& source, Execution& execution)
   this->checkVersion();
   this->checkExtensions();
   this->Decoded.resize(this->size("buffers"));
+  this->Buffers.resize(this->Decoded.size());
 }
 
 std::span<const char> GltfDocument::findJson()
@@ -66,16 +68,19 @@ std::span<const char> GltfDocument::findJson()
     return this->Input.bytes;
   }
   this->IsBinary = true;
-  if (size < kHeader + kChunkHeader || loadLittle<std::uint32_t>(begin + 8) > size)
+  const std::size_t announced =
+    size < kHeader ? kHeader : std::size_t{ loadLittle<std::uint32_t>(begin + 8) };
+  if (announced > size || announced < kHeader + kChunkHeader)
   {
-    this->Input.fail("the file is shorter than its header says; it is truncated");
+    this->Input.fail("the header announces " + std::to_string(announced) +
+      " bytes, but the file has " + std::to_string(size) + "; it is truncated or malformed");
   }
   if (const auto version = loadLittle<std::uint32_t>(begin + 4); version != 2)
   {
     this->Input.fail("GLB of version " + std::to_string(version) + "; only version 2 is read");
   }
   std::span<const char> json;
-  const char* const end = begin + loadLittle<std::uint32_t>(begin + 8);
+  const char* const end = begin + announced;
   for (const char* at = begin + kHeader; end - at >= std::ptrdiff_t(kChunkHeader);)
   {
     const std::size_t length = loadLittle<std::uint32_t>(at);
@@ -242,11 +247,11 @@ std::span<const char> GltfDocument::buffer(std::size_t index)
     {
       this->Input.fail("the 'uri' of a buffer is not text");
     }
-    if (this->Decoded[index].empty())
+    if (this->Buffers[index].empty())
     {
-      this->Decoded[index] = this->decode(uri->get_ref<const std::string&>(), index);
+      this->Buffers[index] = this->bufferAt(uri->get_ref<const std::string&>(), index);
     }
-    bytes = this->Decoded[index];
+    bytes = this->Buffers[index];
   }
   if (length == 0 || length > bytes.size())
   {
@@ -256,16 +261,27 @@ std::span<const char> GltfDocument::buffer(std::size_t index)
   return bytes.first(length);
 }
 
-std::vector<char> GltfDocument::decode(const std::string& uri, std::size_t index) const
+std::span<const char> GltfDocument::bufferAt(const std::string& uri, std::size_t index)
 {
   constexpr std::string_view kMark = ";base64,";
   const std::size_t mark = uri.substr(0, 256).find(kMark);
-  if (!uri.starts_with("data:") || mark == std::string::npos)
+  if (uri.starts_with("data:") && mark != std::string::npos)
   {
-    this->Input.fail("buffer " + std::to_string(index) + " is the file " + scan::quoted(uri) +
+    this->Decoded[index] = this->decode(std::string_view(uri).substr(mark + kMark.size()), index);
+    return this->Decoded[index];
+  }
+  if (this->Read == nullptr || uri.starts_with("data:"))
+  {
+    this->Input.fail("buffer " + std::to_string(index) + " is " + scan::quoted(uri) +
       ", which is not read; save as .glb or with embedded buffers");
   }
-  std::string_view text = std::string_view(uri).substr(mark + kMark.size());
+  const std::span<const char> bytes = this->Read(uri);
+  this->OtherBytes += bytes.size();
+  return bytes;
+}
+
+std::vector<char> GltfDocument::decode(std::string_view text, std::size_t index) const
+{
   text = text.substr(0, std::min(text.size(), text.find_last_not_of('=') + 1));
   std::vector<char> bytes;
   bytes.reserve(text.size() / 4 * 3 + 3);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,8 +25,12 @@ class GltfDocument
 public:
   using Json = nlohmann::json;
 
+  /// The bytes of a buffer in a file of its own, valid as long as the document.
+  using ReadBuffer = std::function<std::span<const char>(const std::string& uri)>;
+
   /// Refuses JSON that nests deeply or that would take many times the memory of the file.
-  GltfDocument(const Source& source, Execution& execution);
+  /// @param readBuffer without it, buffers in files of their own are refused
+  GltfDocument(const Source& source, const ReadBuffer& readBuffer, Execution& execution);
 
   const Source& source() const { return this->Input; }
 
@@ -48,18 +53,25 @@ public:
 
   GltfAccessor accessor(std::size_t index);
 
+  /// The size of the file and of the buffers in files of their own that were used.
+  std::size_t bytes() const { return this->Input.bytes.size() + this->OtherBytes; }
+
 private:
   std::span<const char> findJson();
   void checkVersion() const;
   void checkExtensions() const;
   std::span<const char> buffer(std::size_t index);
-  std::vector<char> decode(const std::string& uri, std::size_t index) const;
+  std::span<const char> bufferAt(const std::string& uri, std::size_t index);
+  std::vector<char> decode(std::string_view text, std::size_t index) const;
 
   const Source& Input;
   Json Root;
   bool IsBinary = false;
-  std::span<const char> Binary;           // the BIN chunk
-  std::vector<std::vector<char>> Decoded; // per buffer, once it was used
+  const ReadBuffer& Read;
+  std::span<const char> Binary;               // the BIN chunk
+  std::vector<std::vector<char>> Decoded;     // of embedded buffers
+  std::vector<std::span<const char>> Buffers; // with a URI, once they were used
+  std::size_t OtherBytes = 0;
 };
 
 } // namespace scan

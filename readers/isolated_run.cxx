@@ -40,6 +40,7 @@ enum class Kind : std::uint32_t
   colors,
   normals,
   unit,  // double
+  note,  // characters
   error, // characters
   done
 };
@@ -113,6 +114,7 @@ void detach()
     send(pipe, { Kind::colors }, model.colors);
     send(pipe, { Kind::normals }, model.normals);
     send(pipe, { Kind::unit }, std::vector<double>{ model.millimetresPerUnit });
+    send(pipe, { Kind::note }, model.note);
     send(pipe, { Kind::done }, std::string());
   }
   catch (const Error& error)
@@ -246,6 +248,8 @@ Model runIsolated(const Work& work, const std::string& whenItDies, Execution& ex
         return copy.receive(frame.count, model.colors);
       case Kind::normals:
         return copy.receive(frame.count, model.normals);
+      case Kind::note:
+        return copy.receive(frame.count, model.note);
       case Kind::fraction:
       case Kind::unit:
         return copy.receive(frame.count, number) && number.size() == 1;

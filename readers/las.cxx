@@ -54,8 +54,12 @@ public:
       this->Input.fail(this->Count == 0 ? "the LAS file has no points"
                                         : "all points of the LAS file are withheld");
     }
-    this->Check.finish(this->Input, this->Result.points.size(), CoordinateCheck::Place::byte);
+    if (const std::uint64_t withheld = this->Count - this->Result.points.size(); withheld > 0)
+    {
+      this->Result.addNote("withheld points left out: " + std::to_string(withheld));
+    }
     this->readColors();
+    this->Check.finish(this->Input, this->Result, CoordinateCheck::Place::byte);
     return std::move(this->Result);
   }
 
@@ -112,11 +116,7 @@ private:
       this->Input.fail("the header announces " + std::to_string(this->Count) +
         " points, but the file holds " + std::to_string(room) + "; it is truncated");
     }
-    if (this->Count >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Input.name) + ": more than 4294967294 points; split or thin the cloud");
-    }
+    this->Input.checkPointCount(this->Count);
     this->readScale();
   }
 

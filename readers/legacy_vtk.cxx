@@ -3,6 +3,7 @@
 #include "readers/legacy_vtk.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/polygon.h"
 #include "readers/coordinate_check.h"
 #include "readers/legacy_vtk_scanner.h"
 #include "readers/point_attributes.h"
@@ -127,11 +128,7 @@ private:
     {
       this->Scan.fail("a second section of points");
     }
-    if (count >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Scan.text().name) + ": more than 4294967294 points; split the file");
-    }
+    this->Scan.text().checkPointCount(count);
     this->Scan.readVectors(count, type,
       [&](const Vec3& point, const char* at)
       {
@@ -204,6 +201,7 @@ private:
       return;
     }
     const auto count = static_cast<std::int64_t>(this->Result.points.size());
+    this->Cell.clear();
     for (const std::int64_t id : ids)
     {
       if (id < 0 || id >= count)
@@ -212,23 +210,21 @@ private:
           (id < 0 ? "-1" : std::to_string(id)) + ", but there are " + std::to_string(count) +
           ", counted from 0");
       }
+      this->Cell.push_back(static_cast<Index>(id));
     }
     if (kind == Cells::lines)
     {
-      std::ranges::transform(ids, std::back_inserter(this->Result.curves.corners),
-        [](std::int64_t id) { return static_cast<Index>(id); });
+      std::vector<Index>& corners = this->Result.curves.corners;
+      corners.insert(corners.end(), this->Cell.begin(), this->Cell.end());
       this->Result.curves.endLine();
-      return;
     }
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c)
+    else if (kind == Cells::polygons)
     {
-      this->Result.triangles.push_back(
-        { static_cast<Index>(ids[a]), static_cast<Index>(ids[b]), static_cast<Index>(ids[c]) });
-    };
-    for (std::size_t i = 2; i < ids.size(); ++i)
+      appendPolygon(this->Result.triangles, this->Result.points, this->Cell);
+    }
+    else
     {
-      const std::size_t turn = i % 2; // every second triangle of a strip is turned over
-      kind == Cells::polygons ? add(0, i - 1, i) : add(i - 2 + turn, i - 1 - turn, i);
+      appendStrip(this->Result.triangles, this->Cell);
     }
   }
 
@@ -253,9 +249,9 @@ private:
       const std::size_t columns = this->Scan.readCount();
       const std::size_t rows = this->Scan.readCount();
       const std::string type = this->Scan.lowerWord();
-      if (type == "string" && !this->Scan.isBinary())
+      if (type == "string")
       {
-        this->Scan.skipLines(rows * columns);
+        this->Scan.skipStrings(rows, columns);
         continue;
       }
       const std::optional<VtkNumberType> known = vtkNumberType(type);
@@ -349,7 +345,7 @@ private:
     const bool isWanted = this->Place == Owner::points && columns >= 3;
     const double scale = this->Scan.isBinary() ? 1.0 : 255.0; // text has 0 to 1
     std::vector<Color>& colors = this->Result.colors;
-    colors.clear();
+    colors.resize(isWanted ? 0 : colors.size());
     Color color = {};
     std::size_t channel = 0;
     this->Scan.readValues(this->Rows, columns, *vtkNumberType("unsigned_char"),
@@ -375,7 +371,7 @@ private:
       [&](const Vec3& normal, const char*) { normals.push_back(unitOrZero(normal)); });
   }
 
-  void finish() const
+  void finish()
   {
     const Source& text = this->Scan.text();
     const std::size_t count = this->Result.points.size();
@@ -383,12 +379,13 @@ private:
     {
       text.fail("no points found; a legacy VTK file of PolyData has a line 'POINTS n type'");
     }
-    this->Check.finish(text, count,
+    this->Check.finish(text, this->Result,
       this->Scan.isBinary() ? CoordinateCheck::Place::byte : CoordinateCheck::Place::line);
   }
 
   VtkScanner Scan;
   Model Result;
+  std::vector<Index> Cell; // the points of the last one
   CoordinateCheck Check;
   Owner Place = Owner::none;
   std::size_t Rows = 0; // of the attributes

@@ -14,7 +14,7 @@ namespace scan
 /// Reads the points, faces and lines of a legacy VTK file, .vtk, ascii or binary, versions 1
 /// to 5.1, whose data set is POLYDATA.
 ///
-/// Polygons become fans, strips triangles, lines curves; vertices are skipped. COLOR_SCALARS and
+/// Polygons and strips become triangles, lines curves; vertices are skipped. COLOR_SCALARS and
 /// NORMALS of the points become colours and normals, the field MillimetresPerUnit the unit; other
 /// attributes are skipped, with all that follows where their kind is not known.
 ///

@@ -79,14 +79,6 @@ inline std::optional<VtkNumberType> vtkNumberType(std::string_view name)
   return found != std::end(kRows) ? std::optional(found->type) : std::nullopt;
 }
 
-inline std::string lowerCase(std::string_view text)
-{
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
-
 /// The words and numbers of a legacy VTK file.
 class VtkScanner
 {
@@ -234,15 +226,57 @@ public:
 
   void skipToEnd() { this->At = this->Text.end(); }
 
-  void skipLines(std::size_t count)
+  /// Skips strings that start on the next line: a line each, or behind their length.
+  void skipStrings(std::size_t rows, std::size_t columns)
   {
-    for (++count; count > 0 && this->At != this->Text.end(); --count)
+    if (columns > 0 && rows > (this->Text.bytes.size() + 1) / columns)
     {
-      this->At = nextLine(this->At, this->Text.end());
+      this->fail("the file ends early: strings are missing");
+    }
+    this->At = nextLine(this->At, this->Text.end());
+    for (std::size_t i = 0; i < rows * columns; ++i)
+    {
+      this->skipString();
     }
   }
 
 private:
+  void skipString()
+  {
+    this->Last = this->At;
+    if (!this->IsBinary)
+    {
+      this->At = nextLine(this->At, this->Text.end());
+      return;
+    }
+    const std::uint64_t length = this->readStringLength();
+    if (length > static_cast<std::uint64_t>(this->Text.end() - this->At))
+    {
+      this->fail("the file ends early, in the middle of strings");
+    }
+    this->At += length;
+  }
+
+  /// The length of a binary string, big-endian, whose first two bits tell how many bytes it takes.
+  std::uint64_t readStringLength()
+  {
+    constexpr std::size_t kBytes[] = { 8, 4, 2, 1 };
+    const char* const end = this->Text.end();
+    const std::size_t size =
+      this->At != end ? kBytes[static_cast<unsigned char>(*this->At) >> 6U] : 1;
+    if (static_cast<std::size_t>(end - this->At) < size)
+    {
+      this->fail("the file ends early, in the middle of strings");
+    }
+    std::uint64_t length = static_cast<unsigned char>(*this->At) & 0x3fU;
+    for (std::size_t i = 1; i < size; ++i)
+    {
+      length = length << 8U | static_cast<unsigned char>(this->At[i]);
+    }
+    this->At += size;
+    return length;
+  }
+
   double nextBinary(const VtkNumberType& type)
   {
     if (static_cast<std::size_t>(this->Text.end() - this->At) < type.bytes)

@@ -45,7 +45,8 @@ MappedFile::MappedFile(const std::string& path)
   {
     this->fail("cannot be opened", EISDIR);
   }
-  if (S_ISREG(status.st_mode) && path != "-")
+  const bool isAtStart = path != "-" || ::lseek(STDIN_FILENO, 0, SEEK_CUR) == 0;
+  if (S_ISREG(status.st_mode) && isAtStart)
   {
     const auto size = static_cast<std::size_t>(status.st_size);
     void* const memory =

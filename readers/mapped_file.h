@@ -9,8 +9,8 @@
 namespace scan
 {
 
-/// A file's bytes in memory, read-only. Regular files are mapped, not copied; standard input, pipes
-/// and devices are read to their end.
+/// A file's bytes in memory, read-only. Regular files are mapped, not copied, standard input too
+/// unless something was read from it; pipes and devices are read to their end.
 ///
 /// Throws Error io when the file is missing, a directory or unreadable, Error parse when it is
 /// empty. A mapped file must not be shortened by another program while it is in use.

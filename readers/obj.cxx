@@ -3,6 +3,7 @@
 #include "readers/obj.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/polygon.h"
 #include "readers/color_channels.h"
 #include "readers/coordinate_check.h"
 #include "readers/point_attributes.h"
@@ -93,9 +94,9 @@ public:
       }
       at = at != end && *at == '\n' ? at + 1 : this->endStatement(at);
     }
-    this->finish();
     this->finishNormals();
     this->Mesh.colors = this->Colors.take(this->Mesh.points.size());
+    this->finish();
     return std::move(this->Mesh);
   }
 
@@ -167,22 +168,16 @@ private:
   const char* readFace(const char* at)
   {
     const char* const end = this->Text.end();
-    Triangle fan = {};
-    std::size_t count = 0;
+    this->Face.clear();
     for (at = skipGap(at, end); at != end && !isLineEnd(*at) && *at != '#'; at = skipGap(at, end))
     {
-      const Index corner = this->readCorner(at);
-      fan[count == 0 ? 0 : 1] = count < 2 ? corner : fan[2];
-      fan[2] = corner;
-      if (++count >= 3)
-      {
-        this->Mesh.triangles.push_back(fan);
-      }
+      this->Face.push_back(this->readCorner(at));
     }
-    if (count == 0)
+    if (this->Face.empty())
     {
       this->Text.failAtLine(at - 1, "a face without corners");
     }
+    appendPolygon(this->Mesh.triangles, this->Mesh.points, this->Face);
     return at;
   }
 
@@ -268,14 +263,10 @@ private:
         std::to_string(this->Mesh.points.size()) + ", counted from 1");
   }
 
-  void finish() const
+  void finish()
   {
     const std::size_t count = this->Mesh.points.size();
-    if (count >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Text.name) + ": more than 4294967294 points; split the file");
-    }
+    this->Text.checkPointCount(count);
     if (this->Furthest >= static_cast<std::int64_t>(count))
     {
       this->failAtCorner(this->FurthestAt, this->Furthest + 1);
@@ -284,7 +275,7 @@ private:
     {
       this->Text.fail("no vertex found; an OBJ file has lines 'v x y z'");
     }
-    this->Check.finish(this->Text, count, CoordinateCheck::Place::line);
+    this->Check.finish(this->Text, this->Mesh, CoordinateCheck::Place::line);
   }
 
   /// Normals are kept when they are those of the points: of each corner, or of each point of a
@@ -308,6 +299,7 @@ private:
   const Source& Text;
   Execution& Run;
   Model Mesh;
+  std::vector<Index> Face; // the corners of the last one
   ColorChannels Colors;
   CoordinateCheck Check;
   bool HasPointNormals = true; // as far as known, normals and vertices have the same indices
@@ -320,7 +312,7 @@ private:
 
 Model parseObj(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
-  const Source source{ name, bytes };
+  const Source source = textOf(name, bytes);
   return ObjReader(source, execution).read();
 }
 
@@ -329,8 +321,7 @@ bool looksLikeObj(std::span<const char> head)
   static constexpr std::string_view kKeywords[] = { "v", "vn", "vt", "vp", "f", "l", "o", "g", "s",
     "mtllib", "usemtl" };
   const char* const end = head.data() + head.size();
-  const bool isMarked = std::string_view(head.data(), head.size()).starts_with("\xef\xbb\xbf");
-  const char* at = skipSpace(head.data() + (isMarked ? 3 : 0), end);
+  const char* at = skipSpace(skipUtf8Mark(head), end);
   while (at != end && *at == '#')
   {
     at = skipSpace(nextLine(at, end), end);

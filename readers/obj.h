@@ -15,8 +15,8 @@ namespace scan
 /// where it has them; everything else is skipped.
 ///
 /// Corners may be a, a/b, a//c or a/b/c, counted from 1, or from the last vertex when negative; a
-/// backslash at its end continues a line. Polygons become fans; faces of one or two corners are
-/// left out. A file of vertices only is a scan.
+/// backslash at its end continues a line. Polygons become triangles; faces of one or two corners
+/// are left out. A file of vertices only is a scan.
 ///
 /// A vertex x y z r g b has a colour: of 0 to 1, or of 0 to 255 when any number in the file's
 /// colours exceeds 1. Vertices without one, and those out of range, are white beside others.

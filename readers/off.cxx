@@ -3,13 +3,18 @@
 #include "readers/off.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/polygon.h"
+#include "readers/color_channels.h"
 #include "readers/coordinate_check.h"
 #include "readers/point_attributes.h"
 #include "readers/text_scanner.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace scan
 {
@@ -23,30 +28,42 @@ constexpr std::uint64_t kShortestFace = 2;   // "0\n"
 /// What the keyword announces.
 struct Keyword
 {
-  std::size_t length = 0; // 0 when there is none
+  std::size_t length = 0;  // 0 when there is none
+  bool hasTexture = false; // two numbers at the end of a line
   bool hasColors = false;
   bool hasNormals = false;
   bool isFlat = true; // three coordinates a vertex
 };
 
-/// [ST][C][N][4][n]OFF; counts may follow without a blank.
+/// [ST][C][N][4][n]OFF, the letters in any order; counts may follow without a blank. In small
+/// letters "n" would be ambiguous, and only OFF and COFF are found.
 Keyword findKeyword(std::string_view text)
 {
+  const bool isSmall = text.starts_with("off") || text.starts_with("coff");
+  const std::size_t start = text.find(isSmall ? "off" : "OFF");
+  constexpr std::size_t kLongest = 6;
   Keyword keyword;
-  std::size_t at = text.starts_with("ST") ? 2 : 0;
-  const auto take = [&](char letter)
+  if (start > kLongest)
   {
-    const bool isThere = at < text.size() && text[at] == letter;
-    at += isThere ? 1 : 0;
-    return isThere;
-  };
-  keyword.hasColors = take('C');
-  keyword.hasNormals = take('N');
-  const bool isFour = take('4');
-  keyword.isFlat = !take('n') && !isFour;
-  const std::string_view rest = text.substr(at);
-  const bool isOff = rest.starts_with("OFF") && (rest.size() == 3 || isDigit(rest[3]));
-  keyword.length = isOff ? at + 3 : 0;
+    return keyword;
+  }
+  std::string_view letters = text.substr(0, start);
+  while (!letters.empty())
+  {
+    const bool isTexture = letters.starts_with("ST");
+    const char letter = letters.front();
+    keyword.hasTexture = keyword.hasTexture || isTexture;
+    keyword.hasColors = keyword.hasColors || letter == 'C' || letter == 'c';
+    keyword.hasNormals = keyword.hasNormals || letter == 'N';
+    keyword.isFlat = keyword.isFlat && letter != '4' && letter != 'n';
+    if (!isTexture && std::string_view("CcN4n").find(letter) == std::string_view::npos)
+    {
+      return {};
+    }
+    letters.remove_prefix(isTexture ? 2 : 1);
+  }
+  const std::string_view rest = text.substr(start + 3);
+  keyword.length = rest.empty() || isDigit(rest[0]) ? start + 3 : 0;
   return keyword;
 }
 
@@ -99,6 +116,10 @@ private:
     const char* const end = this->Text.end();
     this->At = skipComments(this->At, end);
     this->Format = findKeyword(word(this->At, end));
+    if (this->Format.length == 0 && this->At != end && isDigit(*this->At))
+    {
+      return; // plain OFF may do without
+    }
     if (this->Format.length == 0)
     {
       this->fail("expected OFF, COFF, NOFF or another keyword of an OFF file, found " +
@@ -130,11 +151,7 @@ private:
         std::to_string(this->Faces) +
         " faces, more than the file can hold; it is truncated or the counts are wrong");
     }
-    if (this->Vertices >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Text.name) + ": more than 4294967294 points; split the file");
-    }
+    this->Text.checkPointCount(this->Vertices);
     if (this->Vertices == 0)
     {
       this->fail("the counts announce no vertex; there is nothing to load");
@@ -143,7 +160,7 @@ private:
     this->Result.points.reserve(this->Vertices);
     this->Result.triangles.reserve(this->Faces);
     this->Result.normals.reserve(this->Format.hasNormals ? this->Vertices : 0);
-    this->Channels.reserve(this->Format.hasColors ? this->Vertices : 0);
+    this->Colors.reserve(this->Format.hasColors ? this->Vertices : 0);
   }
 
   /// Moves to the next line that holds something.
@@ -171,22 +188,68 @@ private:
     const Vec3 point = this->numbers("three coordinates");
     this->Result.points.push_back(point);
     this->Check.see(point, line);
+    const bool hasBoth = this->Format.hasNormals && this->Format.hasColors;
+    if (hasBoth && this->Result.points.size() == 1)
+    {
+      this->findOrder();
+    }
+    if (this->Format.hasColors && this->AreColorsFirst)
+    {
+      this->readColor();
+      this->skipNumbers(this->ColorNumbers - 3);
+    }
     if (this->Format.hasNormals)
     {
       this->Result.normals.push_back(unitOrZero(this->numbers("a normal of three numbers")));
     }
-    if (this->Format.hasColors)
+    if (this->Format.hasColors && !this->AreColorsFirst)
     {
-      const char* const start = skipBlanks(this->At, this->Text.end());
-      const Vec3 color = this->numbers("a colour of three numbers");
-      if (!isChannel(color.x) || !isChannel(color.y) || !isChannel(color.z))
-      {
-        this->At = start;
-        this->fail("a colour must be of 0 to 255 or of 0 to 1");
-      }
-      this->LargestChannel = std::max({ this->LargestChannel, color.x, color.y, color.z });
-      this->Channels.push_back(
-        { static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z) });
+      this->readColor();
+    }
+  }
+
+  void readColor()
+  {
+    const char* const start = skipBlanks(this->At, this->Text.end());
+    const Vec3 color = this->numbers("a colour of three numbers");
+    if (!isChannel(color.x) || !isChannel(color.y) || !isChannel(color.z))
+    {
+      this->At = start;
+      this->fail("a colour must be of 0 to 255 or of 0 to 1");
+    }
+    this->Colors.add(color.x, color.y, color.z);
+  }
+
+  /// Geomview, which made the format, has normals ahead of colours; MeshLab writes them behind.
+  /// The first vertex tells, by the length of its normal.
+  void findOrder()
+  {
+    std::vector<double> values;
+    const char* const end = this->Text.end();
+    double value = 0.0;
+    for (const char* at = skipBlanks(this->At, end);
+         at != nullptr && (at = parseNumber(at, end, value)) != nullptr; at = skipBlanks(at, end))
+    {
+      values.push_back(value);
+    }
+    const std::size_t texture = this->Format.hasTexture ? 2 : 0;
+    const std::size_t count = values.size() - std::min(texture, values.size());
+    if (count != 6 && count != 7) // three of each, perhaps an opacity
+    {
+      return;
+    }
+    const auto isUnit = [&](std::size_t i)
+    { return std::abs(std::hypot(values[i], values[i + 1], values[i + 2]) - 1.0) < 1e-3; };
+    this->AreColorsFirst = !isUnit(0) && isUnit(count - 3);
+    this->ColorNumbers = count - 3;
+  }
+
+  void skipNumbers(std::size_t count)
+  {
+    for (; count > 0; --count)
+    {
+      this->At = skipBlanks(this->At, this->Text.end());
+      this->At += word(this->At, this->Text.end()).size();
     }
   }
 
@@ -194,7 +257,7 @@ private:
   {
     const char* const end = this->Text.end();
     const std::uint64_t count = this->integer("the number of corners of a face");
-    Triangle fan = {};
+    this->Face.clear();
     for (std::uint64_t i = 0; i < count; ++i)
     {
       this->At = skipBlanks(this->At, end);
@@ -206,13 +269,9 @@ private:
         this->fail("a face refers to vertex " + std::to_string(corner) + ", but there are " +
           std::to_string(this->Vertices) + ", counted from 0");
       }
-      fan[i == 0 ? 0 : 1] = i < 2 ? static_cast<Index>(corner) : fan[2];
-      fan[2] = static_cast<Index>(corner);
-      if (i >= 2)
-      {
-        this->Result.triangles.push_back(fan);
-      }
+      this->Face.push_back(static_cast<Index>(corner));
     }
+    appendPolygon(this->Result.triangles, this->Result.points, this->Face);
   }
 
   /// The three numbers that come next on the line.
@@ -268,14 +327,8 @@ private:
       this->fail("text follows the " + std::to_string(this->Vertices) + " vertices and " +
         std::to_string(this->Faces) + " faces that the counts announce; correct the counts");
     }
-    this->Check.finish(this->Text, this->Result.points.size(), CoordinateCheck::Place::line);
-    const float scale = this->LargestChannel > 1.0 ? 1.0F : 255.0F;
-    this->Result.colors.reserve(this->Channels.size());
-    for (const auto& [red, green, blue] : this->Channels)
-    {
-      this->Result.colors.push_back(
-        { toChannel(red * scale), toChannel(green * scale), toChannel(blue * scale) });
-    }
+    this->Result.colors = this->Colors.take(this->Result.points.size());
+    this->Check.finish(this->Text, this->Result, CoordinateCheck::Place::line);
   }
 
   const Source& Text;
@@ -286,8 +339,10 @@ private:
   std::uint64_t Vertices = 0;
   std::uint64_t Faces = 0;
   Model Result;
-  std::vector<std::array<float, 3>> Channels; // of the colours, until their range is known
-  double LargestChannel = 0.0;
+  std::vector<Index> Face; // the corners of the last one
+  ColorChannels Colors;
+  bool AreColorsFirst = false;  // ahead of the normal
+  std::size_t ColorNumbers = 3; // then
   CoordinateCheck Check;
 };
 
@@ -295,16 +350,14 @@ private:
 
 Model parseOff(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
-  const Source source{ name, bytes };
+  const Source source = textOf(name, bytes);
   return OffReader(source, execution).read();
 }
 
 bool looksLikeOff(std::span<const char> head)
 {
   const char* const end = head.data() + head.size();
-  const std::string_view mark = "\xef\xbb\xbf";
-  const bool isMarked = std::string_view(head.data(), head.size()).starts_with(mark);
-  const char* const at = skipComments(head.data() + (isMarked ? mark.size() : 0), end);
+  const char* const at = skipComments(skipUtf8Mark(head), end);
   return findKeyword(word(at, end)).length > 0;
 }
 

@@ -15,11 +15,13 @@ namespace scan
 /// their combinations.
 ///
 /// The counts of vertices, faces and, if at all, edges follow the keyword, on its line or a later
-/// one. Then comes one vertex a line: x y z, with N a normal, with C a colour, which is 0 to 1 when
-/// no channel of the file exceeds 1 and 0 to 255 otherwise; transparency and texture coordinates
-/// are skipped. Then one face a line: the number of its corners, the corners counted from 0,
-/// perhaps a colour, which is skipped. Polygons become fans; faces of fewer than three corners are
-/// left out. Blank lines and comments (#) may stand anywhere. No faces: a scan. No unit.
+/// one; OFF itself may be missing. Then comes one vertex a line: x y z, with N a normal, with C a
+/// colour, which is 0 to 1 when no channel of the file exceeds 1 and 0 to 255 otherwise; with both,
+/// the normal is the one that has length 1, and the first if both have. Transparency and texture
+/// coordinates are skipped. Then one face a line: the number of its corners, the corners counted
+/// from 0, perhaps a colour, which is skipped. Polygons are triangulated
+/// (filters/geometry/polygon.h); faces of fewer than three corners are left out. Blank lines and
+/// comments (#) may stand anywhere. No faces: a scan. No unit.
 ///
 /// Throws Error parse, with the line, for a malformed line, for counts that the lines do not match,
 /// for corners without a vertex, for a file without a vertex, for the binary form and for the

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
 namespace scan
@@ -52,11 +51,7 @@ public:
 
   Model load()
   {
-    if (this->Header.points >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Input.name) + ": more than 4294967294 points; split or thin the cloud");
-    }
+    this->Input.checkPointCount(this->Header.points);
     switch (this->Header.encoding)
     {
       case PcdEncoding::ascii:
@@ -73,7 +68,7 @@ public:
     {
       this->Input.fail("no point with coordinates; there is nothing to load");
     }
-    this->Check.finish(this->Input, this->Result.points.size(),
+    this->Check.finish(this->Input, this->Result,
       this->Header.encoding == PcdEncoding::ascii ? CoordinateCheck::Place::line
                                                   : CoordinateCheck::Place::byte);
     return std::move(this->Result);
@@ -125,10 +120,6 @@ private:
   void add(const PointValues& values, const char* at)
   {
     const auto& [x, y, z, normalX, normalY, normalZ] = values.reals;
-    if (std::isnan(x) || std::isnan(y) || std::isnan(z))
-    {
-      return;
-    }
     this->Result.points.push_back({ x, y, z });
     this->Check.see(this->Result.points.back(), at);
     if (this->HasNormals)

@@ -3,6 +3,7 @@
 #include "readers/ply.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/polygon.h"
 #include "readers/coordinate_check.h"
 #include "readers/ply_body.h"
 #include "readers/ply_header.h"
@@ -38,11 +39,7 @@ public:
     {
       this->VertexCount = element.name == "vertex" ? element.count : this->VertexCount;
     }
-    if (this->VertexCount >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Input.name) + ": more than 4294967294 points; split the file");
-    }
+    this->Input.checkPointCount(this->VertexCount);
     this->checkCounts();
     for (const PlyElement& element : this->Header.elements)
     {
@@ -63,7 +60,7 @@ public:
         this->forEach(element, [&] { this->skipAll(element); });
       }
     }
-    this->Check.finish(this->Input, this->Mesh.points.size(),
+    this->Check.finish(this->Input, this->Mesh,
       this->Header.encoding == PlyEncoding::ascii ? CoordinateCheck::Place::line
                                                   : CoordinateCheck::Place::byte);
     return std::move(this->Mesh);
@@ -208,16 +205,23 @@ private:
   }
 
   /// Doubling the room would take much memory for a large file: it ends where the file must.
-  /// @param most triangles that can follow
-  void addTriangle(const Triangle& triangle, std::uint64_t most)
+  /// @param next triangles that need it
+  /// @param most triangles that can follow them
+  void makeRoom(std::uint64_t next, std::uint64_t most)
   {
     std::vector<Triangle>& all = this->Mesh.triangles;
-    if (all.size() == all.capacity())
+    if (all.size() + next > all.capacity())
     {
-      const std::uint64_t bound = all.size() + most + 1;
-      all.reserve(4 * all.size() < bound ? std::min(2 * all.size() + 64, bound) : bound);
+      const std::uint64_t bound = all.size() + next + most;
+      const std::uint64_t wanted = std::max(2 * all.size() + 64, all.size() + next);
+      all.reserve(4 * all.size() < bound ? std::min(wanted, bound) : bound);
     }
-    all.push_back(triangle);
+  }
+
+  void addTriangle(const Triangle& triangle, std::uint64_t most)
+  {
+    this->makeRoom(1, most);
+    this->Mesh.triangles.push_back(triangle);
   }
 
   void loadPolygon(const PlyProperty& list)
@@ -235,17 +239,13 @@ private:
       }
     }
     const std::uint64_t length = this->listLength(list);
-    Triangle fan = {};
+    this->Polygon.clear();
     for (std::uint64_t i = 0; i < length; ++i)
     {
-      const Index corner = this->vertexIndex(this->Values.integer(list.type));
-      fan[i == 0 ? 0 : 1] = i < 2 ? corner : fan[2];
-      fan[2] = corner;
-      if (i >= 2)
-      {
-        this->addTriangle(fan, this->Values.left(list.type));
-      }
+      this->Polygon.push_back(this->vertexIndex(this->Values.integer(list.type)));
     }
+    this->makeRoom(length, this->Values.left(list.type));
+    appendPolygon(this->Mesh.triangles, this->Mesh.points, this->Polygon);
   }
 
   void loadStrips(const PlyProperty& list)
@@ -355,6 +355,7 @@ private:
   Body Values;
   std::uint64_t VertexCount = 0;
   Model Mesh;
+  std::vector<Index> Polygon; // the corners of the last one
   CoordinateCheck Check;
 };
 
@@ -392,8 +393,10 @@ Model parsePlyRangeGrid(std::span<const char> bytes, std::string_view name, Exec
 
 bool looksLikePly(std::span<const char> head)
 {
-  return head.size() >= 4 && head[0] == 'p' && head[1] == 'l' && head[2] == 'y' &&
-    isLineEnd(head[3]);
+  const char* const end = head.data() + head.size();
+  const char* const start = skipUtf8Mark(head);
+  const char* const stop = findLineEnd(start, end);
+  return stop != end && word(start, end) == "ply" && skipBlanks(start + 3, end) == stop;
 }
 
 } // namespace scan

@@ -14,10 +14,10 @@ namespace scan
 /// Reads a Polygon File Format file, ascii or binary of either byte order.
 ///
 /// The element "vertex" needs the properties x, y and z of any type. Lists named vertex_indices or
-/// vertex_index give polygons in "face", which become fans, and strips in "tristrips", where -1
-/// starts a new strip. Faces of fewer than three corners are left out. Vertices have colours with
-/// red, green and blue, or diffuse_red and so on: integers of 0 to 255, or reals of 0 to 1 (to 255
-/// when any exceeds 1); one out of range is white. They have normals with nx, ny and nz, which
+/// vertex_index give polygons in "face", which become triangles, and strips in "tristrips", where
+/// -1 starts a new strip. Faces of fewer than three corners are left out. Vertices have colours
+/// with red, green and blue, or diffuse_red and so on: integers of 0 to 255, or reals of 0 to 1 (to
+/// 255 when any exceeds 1); one out of range is white. They have normals with nx, ny and nz, which
 /// become of length 1 or 0. Every other element and property is skipped, so the Stanford range
 /// scans load.
 ///

@@ -53,10 +53,11 @@ public:
 
   std::int64_t integer(PlyType type)
   {
+    const char* const before = skipSpace(this->At, this->Text.end());
     const double value = this->real(type);
     if (!(std::abs(value) <= 1e15) || value != std::trunc(value))
     {
-      this->fail("expected an integer");
+      this->fail("expected an integer, found " + quoted(word(before, this->Text.end())));
     }
     return static_cast<std::int64_t>(value);
   }

@@ -56,7 +56,7 @@ public:
 
   PlyHeader read()
   {
-    const char* line = this->Text.begin();
+    const char* line = skipUtf8Mark(this->Text.bytes);
     bool isFirst = true;
     for (;;)
     {

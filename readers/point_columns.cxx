@@ -6,6 +6,7 @@
 #include "readers/text_columns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -38,6 +39,12 @@ bool isNormal(const FurtherColumns& line, std::size_t column)
 {
   const Vec3 v = vectorAt(line, column);
   return v == Vec3{} || std::abs(std::hypot(v.x, v.y, v.z) - 1.0) <= kUnitTolerance;
+}
+
+/// What starts a comment or quotes a name.
+bool isMark(char c)
+{
+  return c == '/' || c == '#' || c == '!' || c == '%' || c == '"';
 }
 
 bool isNumeric(const FurtherColumns& line)
@@ -149,6 +156,49 @@ Vec3 PointColumns::normalOf(const FurtherColumns& columns) const
 {
   const bool isThere = columns.count >= this->normal + 3;
   return isThere ? unitOrZero(vectorAt(columns, this->normal)) : Vec3{};
+}
+
+std::vector<std::string> readColumnNames(const char* line, const char* end)
+{
+  std::vector<std::string> names;
+  const char* const stop = findLineEnd(line, end);
+  while (line != stop)
+  {
+    const char* const start =
+      std::find_if_not(line, stop, [](char c) { return isSeparator(c) || isMark(c); });
+    line = std::find_if(start, stop, [](char c) { return isSeparator(c) || isMark(c); });
+    if (start != line)
+    {
+      names.push_back(lowerCase({ start, static_cast<std::size_t>(line - start) }));
+    }
+  }
+  const bool isHeader = names.size() > 3 && names[0] == "x" && names[1] == "y" && names[2] == "z";
+  names.erase(names.begin(), isHeader ? names.begin() + 3 : names.end());
+  return names;
+}
+
+PointColumns findColumns(
+  const std::vector<std::string>& names, const std::vector<FurtherColumns>& lines)
+{
+  const auto columnOf = [&](const std::array<const char*, 3>& triple)
+  {
+    const auto found = std::search(names.begin(), names.end(), triple.begin(), triple.end());
+    const auto column = static_cast<std::size_t>(found - names.begin());
+    return found != names.end() && column + 3 <= FurtherColumns::kMost ? column
+                                                                       : PointColumns::kNone;
+  };
+  PointColumns columns;
+  columns.color = std::min(columnOf({ "r", "g", "b" }), columnOf({ "red", "green", "blue" }));
+  columns.normal = columnOf({ "nx", "ny", "nz" });
+  for (const FurtherColumns& line : lines)
+  {
+    const bool isComplete = line.count >= columns.count();
+    const bool hasColor = columns.hasColors() && isComplete && isColor(line, columns.color);
+    const bool hasNormal = columns.hasNormals() && isComplete && isNormal(line, columns.normal);
+    columns.color = hasColor || !isComplete ? columns.color : PointColumns::kNone;
+    columns.normal = hasNormal || !isComplete ? columns.normal : PointColumns::kNone;
+  }
+  return columns;
 }
 
 PointColumns guessColumns(const std::vector<FurtherColumns>& lines)

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace scan
@@ -14,7 +15,7 @@ namespace scan
 /// The columns behind x y z of a line of text, up to kMost of them.
 struct FurtherColumns
 {
-  static constexpr std::size_t kMost = 6;
+  static constexpr std::size_t kMost = 12;
 
   std::array<double, kMost> values = {}; ///< NaN where a column is no number
   std::size_t count = 0;                 ///< of all of them
@@ -44,6 +45,15 @@ struct PointColumns
   /// Of length 1, or 0 0 0 where the columns are not three numbers.
   Vec3 normalOf(const FurtherColumns& columns) const;
 };
+
+/// The names, in lower case, of the columns behind x y z that a line above the points gives,
+/// perhaps as a comment; empty when it does not start with those three.
+std::vector<std::string> readColumnNames(const char* line, const char* end);
+
+/// What columns of these names hold: r g b or red green blue, nx ny nz. Only what the first lines
+/// agree with.
+PointColumns findColumns(
+  const std::vector<std::string>& names, const std::vector<FurtherColumns>& lines);
 
 /// Finds out what columns hold from those of the first lines, as readers/points_text.h says.
 PointColumns guessColumns(const std::vector<FurtherColumns>& lines);

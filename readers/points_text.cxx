@@ -45,33 +45,12 @@ struct Chunk
   const char* broken = nullptr;
 };
 
-/// Reads the line at `at`, which is not the end, and leaves `at` in it, behind what was read.
-LineKind readLine(const char*& at, const char* end, Vec3& point)
+/// Whether commas separate some of the first columns, which end there, and others do not.
+bool hasCommaAndOther(const char* x, const char* y, const char* z, const char* end)
 {
-  at = skipBlanks(at, end);
-  if (at == end || isLineEnd(*at) || isComment(at, end))
-  {
-    return LineKind::skip;
-  }
-  if (*at == 'p' && at + 1 != end && isBlank(at[1]))
-  {
-    at = skipBlanks(at + 1, end);
-  }
-  const char* const x = parseColumn(at, end, point.x);
-  if (x == nullptr)
-  {
-    const bool isNumber = at != end && (isDigit(*at) || *at == '-' || *at == '+' || *at == '.');
-    return isNumber ? LineKind::broken : LineKind::words;
-  }
-  const char* const second = skipSeparator(x, end);
-  if (second == end || isLineEnd(*second))
-  {
-    return LineKind::count;
-  }
-  const char* const y = parseColumn(second, end, point.y);
-  const char* const z = y != nullptr ? parseColumn(skipSeparator(y, end), end, point.z) : nullptr;
-  at = z != nullptr ? z : at;
-  return z != nullptr ? LineKind::point : LineKind::broken;
+  const bool isLast = z == end || isLineEnd(*z);
+  const bool hasComma = *x == ',' || *y == ',' || (!isLast && *z == ',');
+  return hasComma && !(*x == ',' && *y == ',' && (isLast || *z == ','));
 }
 
 /// "1,5;2,5;3,5" would silently become the point 1 5 2.
@@ -99,36 +78,78 @@ bool hasDecimalCommas(const char* line, const char* end)
   return hasComma;
 }
 
+/// Reads the line at `at`, which is not the end, and leaves `at` in it, behind what was read.
+LineKind readLine(const char*& at, const char* end, Vec3& point)
+{
+  at = skipBlanks(at, end);
+  if (at == end || isLineEnd(*at) || isComment(at, end))
+  {
+    return LineKind::skip;
+  }
+  if (*at == 'p' && at + 1 != end && isBlank(at[1]))
+  {
+    at = skipBlanks(at + 1, end);
+  }
+  const char* const x = parseColumn(at, end, point.x);
+  if (x == nullptr)
+  {
+    const bool isNumber = at != end && (isDigit(*at) || *at == '-' || *at == '+' || *at == '.');
+    return isNumber ? LineKind::broken : LineKind::words;
+  }
+  const char* const second = skipSeparator(x, end);
+  if (second == end || isLineEnd(*second))
+  {
+    return LineKind::count;
+  }
+  const char* const y = parseColumn(second, end, point.y);
+  const char* const z = y != nullptr ? parseColumn(skipSeparator(y, end), end, point.z) : nullptr;
+  const bool mixesCommas = z != nullptr && hasCommaAndOther(x, y, z, end);
+  if (z == nullptr || (mixesCommas && hasDecimalCommas(at, end)))
+  {
+    return LineKind::broken;
+  }
+  at = z;
+  return LineKind::point;
+}
+
 [[noreturn]] void failAtBrokenLine(const Source& source, const char* at)
 {
   const char* const end = findLineEnd(at, source.end());
+  if (hasDecimalCommas(at, source.end()))
+  {
+    source.failAtLine(at, "the numbers have decimal commas; export them with decimal points");
+  }
   source.failAtLine(at,
     "expected x y z, found " + quoted({ at, static_cast<std::size_t>(end - at) }) +
       "; correct or remove the line");
 }
 
-/// The start of the first line that is a point.
-const char* skipHeader(const Source& source)
+/// Where the points start.
+struct Start
 {
+  const char* points = nullptr; // the first line that is one
+  const char* header = nullptr; // the line before, if there is one
+};
+
+Start skipHeader(const Source& source)
+{
+  Start start;
   const char* line = skipByteOrderMark(source);
   while (line != source.end())
   {
     const char* at = line;
     Vec3 point;
     const LineKind kind = readLine(at, source.end(), point);
-    if (kind == LineKind::broken ||
-      (kind == LineKind::point && hasDecimalCommas(line, source.end())))
+    if (kind == LineKind::broken)
     {
-      if (hasDecimalCommas(line, source.end()))
-      {
-        source.failAtLine(line, "the numbers have decimal commas; export them with decimal points");
-      }
       failAtBrokenLine(source, line);
     }
     if (kind == LineKind::point)
     {
-      return line;
+      start.points = line;
+      return start;
     }
+    start.header = line;
     line = nextLine(at, source.end());
   }
   source.fail("no point found; a vertex list has lines that start with three numbers");
@@ -141,10 +162,11 @@ bool isBroken(LineKind kind, bool isLettered)
     !(isLettered && kind == LineKind::words);
 }
 
-/// What the columns of the points from `at` on hold.
-PointColumns findColumns(const char* at, const char* end, bool isLettered)
+/// What the columns of the points hold.
+PointColumns findColumns(const Start& start, const char* end, bool isLettered)
 {
   std::vector<FurtherColumns> lines;
+  const char* at = start.points;
   const char* const stop = at + std::min<std::ptrdiff_t>(end - at, kChunkBytes);
   while (at < stop && lines.size() < kGuessPoints)
   {
@@ -160,7 +182,9 @@ PointColumns findColumns(const char* at, const char* end, bool isLettered)
     }
     at = nextLine(at, end);
   }
-  return guessColumns(lines);
+  const auto names =
+    start.header != nullptr ? readColumnNames(start.header, end) : std::vector<std::string>();
+  return names.empty() ? guessColumns(lines) : findColumns(names, lines);
 }
 
 /// Reads the columns behind z and moves `at` behind them.
@@ -259,10 +283,11 @@ std::size_t countLines(const char* begin, const char* end)
 
 Model parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
-  const Source source{ name, bytes };
-  const char* at = skipHeader(source);
+  const Source source = textOf(name, bytes);
+  const Start start = skipHeader(source);
+  const char* at = start.points;
   const bool isLettered = *skipBlanks(at, source.end()) == 'p';
-  const PointColumns columns = findColumns(at, source.end(), isLettered);
+  const PointColumns columns = findColumns(start, source.end(), isLettered);
   Model model;
   const std::size_t most = countLines(at, source.end());
   model.points.reserve(most);
@@ -294,21 +319,18 @@ Model parsePointsText(std::span<const char> bytes, std::string_view name, Execut
       check.append(chunk.check);
     }
   }
-  if (model.points.size() >= kNone)
-  {
-    throw Error(ErrorCode::limit,
-      std::string(name) + ": more than 4294967294 points; split or thin the list");
-  }
-  check.finish(source, model.points.size(), CoordinateCheck::Place::line);
+  source.checkPointCount(model.points.size());
+  check.finish(source, model, CoordinateCheck::Place::line);
   return model;
 }
 
 bool looksLikePointsText(std::span<const char> head)
 {
-  const bool isBinary = std::find(head.begin(), head.end(), '\0') != head.end();
+  const Source text = textOf("head", head);
+  const bool isBinary = std::find(text.begin(), text.end(), '\0') != text.end();
   try
   {
-    return !head.empty() && !isBinary && skipHeader({ "head", head }) != nullptr;
+    return !isBinary && skipHeader(text).points != nullptr;
   }
   catch (const Error&)
   {

@@ -14,8 +14,9 @@ namespace scan
 /// Reads a vertex list (.xyz .txt .asc .pts .csv .pwn): one point a line, x y z in the first three
 /// columns, perhaps a colour r g b of 0 to 255 and a normal nx ny nz behind them.
 ///
-/// What further columns hold is decided by the first 1000 points (of 256 KB), by those of them that
-/// have the most columns, all of them numbers:
+/// The line ahead of the points may name the columns: x y z, and somewhere r g b (or red green
+/// blue) and nx ny nz. Without it, what further columns hold is decided by the first 1000 points
+/// (of 256 KB), by those of them that have the most columns, all of them numbers:
 /// - 6 columns are x y z and a normal when its length is 1 +- 0.02 or 0 in all of them, x y z r g b
 ///   when the three are integers of 0 to 255 in all of them; only zeros could be both;
 /// - 7 columns are x y z, an intensity and r g b when the last three are such integers; or x y z
@@ -28,10 +29,10 @@ namespace scan
 /// CR; a UTF-8 byte order mark, blank lines and comments (# // ! %) are skipped. Ahead of the first
 /// point there may be lines that start with a word and a line with one number, the count, which
 /// real files get wrong and nothing relies on. Also reads "p x y z" lists, whose other lines start
-/// with another letter.
+/// with another letter. Points that are not a number are left out, with a note.
 ///
 /// Throws Error parse for text without points, for a line that is no point, for decimal commas,
-/// for UTF-16, and for coordinates that are not finite or exceed 1e50.
+/// for UTF-16, and for coordinates that are infinite or exceed 1e50.
 /// Phase "read"; parallel, the same points for any number of threads.
 Model parsePointsText(std::span<const char> bytes, std::string_view name, Execution& execution);
 

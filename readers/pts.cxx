@@ -6,6 +6,7 @@
 #include "readers/scan_lines.h"
 #include "readers/text_scanner.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scan
@@ -13,20 +14,13 @@ namespace scan
 namespace
 {
 
-constexpr double kLargestCount = 1e15;
-
-bool isCount(const LineColumns& line)
-{
-  const double count = line.values[0];
-  return line.count == 1 && line.isNumeric && count >= 0.0 && count <= kLargestCount &&
-    count == std::trunc(count);
-}
+constexpr int kInspectedPoints = 100;
 
 } // namespace
 
 Model parsePts(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
-  const Source source{ name, bytes };
+  const Source source = textOf(name, bytes);
   ScanLineReader reader(source, execution);
   const char* const end = source.end();
   const char* at = skipBlankLines(skipByteOrderMark(source), end);
@@ -49,20 +43,31 @@ Model parsePts(std::span<const char> bytes, std::string_view name, Execution& ex
 
 bool looksLikePts(std::span<const char> head)
 {
-  const Source source{ "head", head };
-  try
+  const char* const end = head.data() + head.size();
+  const LineColumns count = readColumns(skipBlankLines(skipUtf8Mark(head), end), end);
+  bool hasColors = false; // that cannot be normals, which other lists with a count have
+  int columns = 0;
+  const char* at = skipBlankLines(nextLine(count.end, end), end);
+  for (int i = 0; i < kInspectedPoints && at != end; ++i)
   {
-    const LineColumns first =
-      readColumns(skipBlankLines(skipByteOrderMark(source), source.end()), source.end());
-    const LineColumns second =
-      readColumns(skipBlankLines(nextLine(first.end, source.end()), source.end()), source.end());
-    return isCount(first) && second.isNumeric &&
-      (second.count == 4 || second.count == 6 || second.count == 7);
+    const LineColumns line = readColumns(at, end);
+    if (columns > 0 && (line.end == end || isCount(line))) // it may be cut off; the next scan
+    {
+      break;
+    }
+    const bool isSame = columns == 0 || columns == line.count;
+    columns = line.count;
+    const auto* const color = line.values.data() + (columns >= 7 ? 4 : 3);
+    const bool isInteger =
+      std::all_of(color, color + 3, [](double v) { return v == std::trunc(v); });
+    if (!isSame || !isScanLine(line) || (columns > 4 && !isInteger))
+    {
+      return false;
+    }
+    hasColors = hasColors || std::hypot(color[0], color[1], color[2]) != 1.0;
+    at = skipBlankLines(nextLine(line.end, end), end);
   }
-  catch (const Error&)
-  {
-    return false;
-  }
+  return isCount(count) && columns > 0 && (columns <= 4 || hasColors);
 }
 
 } // namespace scan

@@ -25,8 +25,9 @@ namespace scan
 /// Phase "read"; parallel, the same points for any number of threads.
 Model parsePts(std::span<const char> bytes, std::string_view name, Execution& execution);
 
-/// Whether a file that starts with `head` is a PTS file with more than coordinates: a line with a
-/// count, then one of 4, 6 or 7 numbers. (Others are vertex lists, see points_text.h.)
+/// Whether a file that starts with `head` is a PTS file: a line with a count, then lines of 3, 4, 6
+/// or 7 numbers, whose colours are integers and not all as long as normals. (Others are vertex
+/// lists, see points_text.h.)
 bool looksLikePts(std::span<const char> head);
 
 } // namespace scan

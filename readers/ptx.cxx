@@ -7,7 +7,6 @@
 #include "readers/text_scanner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace scan
@@ -15,16 +14,8 @@ namespace scan
 namespace
 {
 
-constexpr double kLargestCount = 4294967295.0; // the product of two fits 64 bits
 constexpr double kMillimetresPerMetre = 1000.0;
 constexpr std::uint64_t kShortestCell = 6; // "0 0 0\n"
-
-bool isCount(const LineColumns& line)
-{
-  const double count = line.values[0];
-  return line.count == 1 && line.isNumeric && count >= 0.0 && count <= kLargestCount &&
-    count == std::trunc(count);
-}
 
 /// Reads the headers of the scans in a PTX file.
 class PtxReader
@@ -139,26 +130,26 @@ private:
 
 Model parsePtx(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
-  const Source source{ name, bytes };
+  const Source source = textOf(name, bytes);
   return PtxReader(source, execution).read();
 }
 
 bool looksLikePtx(std::span<const char> head)
 {
-  const Source source{ "head", head };
-  const char* const end = source.end();
-  try
+  // columns, rows, the place and the axes of the scanner, a matrix
+  static constexpr int kSizes[] = { 1, 1, 3, 3, 3, 3, 4, 4, 4, 4 };
+  const char* const end = head.data() + head.size();
+  const char* at = skipUtf8Mark(head);
+  for (const int size : kSizes)
   {
-    const char* const start = skipBlankLines(skipByteOrderMark(source), end);
-    const LineColumns columns = readColumns(start, end);
-    const LineColumns rows = readColumns(skipBlankLines(nextLine(columns.end, end), end), end);
-    const LineColumns place = readColumns(skipBlankLines(nextLine(rows.end, end), end), end);
-    return isCount(columns) && isCount(rows) && place.count == 3 && place.isNumeric;
+    const LineColumns line = readColumns(skipBlankLines(at, end), end);
+    if (line.count != size || !line.isNumeric || (size == 1 && !isCount(line)))
+    {
+      return false;
+    }
+    at = nextLine(line.end, end);
   }
-  catch (const Error&)
-  {
-    return false;
-  }
+  return true;
 }
 
 } // namespace scan

@@ -27,7 +27,8 @@ namespace scan
 /// Phase "read"; parallel, the same points for any number of threads.
 Model parsePtx(std::span<const char> bytes, std::string_view name, Execution& execution);
 
-/// Whether a file that starts with `head` is a PTX file: two counts, then a line of three numbers.
+/// Whether a file that starts with `head` is a PTX file: two counts, then four lines of three
+/// numbers and four of four.
 bool looksLikePtx(std::span<const char> head);
 
 } // namespace scan

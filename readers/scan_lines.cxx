@@ -4,9 +4,10 @@
 
 #include "filters/base/error.h"
 #include "readers/point_attributes.h"
-#include "readers/text_scanner.h"
+#include "readers/text_columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace scan
@@ -31,6 +32,13 @@ std::size_t colorColumn(int columns)
   return columns >= 7 ? 4 : columns == 6 ? 3 : 0;
 }
 
+/// Whether the columns from `red` on are a colour; true without them.
+bool hasColor(const LineColumns& line, std::size_t red)
+{
+  const auto& v = line.values;
+  return red == 0 || (isChannel(v[red]) && isChannel(v[red + 1]) && isChannel(v[red + 2]));
+}
+
 Vec3 placed(const Vec3& p, const ScanPlacement& placement)
 {
   return placement[0] * p.x + placement[1] * p.y + placement[2] * p.z + placement[3];
@@ -41,7 +49,13 @@ Vec3 placed(const Vec3& p, const ScanPlacement& placement)
 LineColumns readColumns(const char* at, const char* end)
 {
   LineColumns line;
-  for (at = skipBlanks(at, end); at != end && !isLineEnd(*at); at = skipBlanks(at, end))
+  at = skipBlanks(at, end);
+  if (at != end && isComment(at, end))
+  {
+    line.end = findLineEnd(at, end);
+    return line;
+  }
+  for (; at != end && !isLineEnd(*at); at = skipBlanks(at, end))
   {
     const char* stop = nullptr;
     if (line.count < LineColumns::kMost)
@@ -63,12 +77,26 @@ const char* skipBlankLines(const char* at, const char* end)
   for (;;)
   {
     const char* const first = skipBlanks(at, end);
-    if (first == end || !isLineEnd(*first))
+    if (first == end || !(isLineEnd(*first) || isComment(first, end)))
     {
       return first == end ? end : at;
     }
     at = nextLine(first, end);
   }
+}
+
+bool isCount(const LineColumns& line)
+{
+  constexpr double kLargest = 4294967295.0; // the product of two fits 64 bits
+  const double count = line.values[0];
+  return line.count == 1 && line.isNumeric && count >= 0.0 && count <= kLargest &&
+    count == std::trunc(count);
+}
+
+bool isScanLine(const LineColumns& line)
+{
+  return line.isNumeric && line.count <= LineColumns::kMost && isLayout(line.count) &&
+    hasColor(line, colorColumn(line.count));
 }
 
 /// The points of some lines, or where they stop being points.
@@ -114,8 +142,7 @@ struct ScanLineReader::Chunk
         return;
       }
       const auto& v = line.values;
-      const bool isPoint = line.isNumeric && line.count == columns &&
-        (red == 0 || (isChannel(v[red]) && isChannel(v[red + 1]) && isChannel(v[red + 2])));
+      const bool isPoint = line.isNumeric && line.count == columns && hasColor(line, red);
       if (line.count != 0 && !isPoint)
       {
         this->broken = at;
@@ -239,20 +266,16 @@ void ScanLineReader::append(const Chunk& chunk)
 Model ScanLineReader::finish()
 {
   const std::size_t count = this->Result.points.size();
-  if (count >= kNone)
-  {
-    throw Error(ErrorCode::limit,
-      std::string(this->Text.name) + ": more than 4294967294 points; split or thin the scans");
-  }
+  this->Text.checkPointCount(count);
   if (count == 0)
   {
     this->Text.fail("no point found; there is nothing to load");
   }
-  this->Check.finish(this->Text, count, CoordinateCheck::Place::line);
   if (!this->Result.colors.empty())
   {
     this->Result.colors.resize(count, kNoColor);
   }
+  this->Check.finish(this->Text, this->Result, CoordinateCheck::Place::line);
   return std::move(this->Result);
 }
 

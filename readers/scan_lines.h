@@ -24,10 +24,16 @@ struct LineColumns
   const char* end = nullptr; ///< the end of the line
 };
 
-/// Splits the line at `at` at its blanks.
+/// Splits the line at `at` at its blanks; none in a comment.
 LineColumns readColumns(const char* at, const char* end);
 
-/// The start of the next line that is not blank, or the end.
+/// Whether the line is a number of points, columns or rows: an integer of 32 bits.
+bool isCount(const LineColumns& line);
+
+/// Whether the line can be a point: x y z, x y z intensity, or r g b of 0 to 255 behind either.
+bool isScanLine(const LineColumns& line);
+
+/// The start of the next line that is neither blank nor a comment, or the end.
 const char* skipBlankLines(const char* at, const char* end);
 
 /// Where a scanner stood: the rows of a 4x4 matrix that a point (x y z 1) is multiplied with from

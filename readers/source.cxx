@@ -3,6 +3,7 @@
 #include "readers/source.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/mesh.h"
 #include "readers/text_scanner.h"
 
 namespace scan
@@ -21,6 +22,15 @@ void Source::failAtByte(const char* at, const std::string& what) const
 void Source::fail(const std::string& what) const
 {
   throw Error(ErrorCode::parse, std::string(this->name) + ": " + what);
+}
+
+void Source::checkPointCount(std::uint64_t count) const
+{
+  if (count >= kNone)
+  {
+    throw Error(ErrorCode::limit,
+      std::string(this->name) + ": more than 4294967294 points; split or thin the file");
+  }
 }
 
 } // namespace scan

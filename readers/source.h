@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ struct Source
 
   /// Throws Error parse "name: what".
   [[noreturn]] void fail(const std::string& what) const;
+
+  /// Throws Error limit for more points than a model can hold, 2^32 - 2.
+  void checkPointCount(std::uint64_t count) const;
 };
 
 } // namespace scan

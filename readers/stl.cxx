@@ -8,6 +8,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -37,17 +38,12 @@ Vec3 readVector(const char* at)
   return { v[0], v[1], v[2] };
 }
 
-char lower(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// Whether the text at `at` is the keyword, which is in lower case, as a whole word.
 bool isKeyword(const char* at, const char* end, std::string_view keyword)
 {
   for (const char expected : keyword)
   {
-    if (at == end || lower(*at) != expected)
+    if (at == end || lowerCase(*at) != expected)
     {
       return false;
     }
@@ -61,8 +57,29 @@ bool looksLikeText(std::span<const char> bytes)
 {
   const std::span<const char> head = bytes.first(std::min<std::size_t>(bytes.size(), 512));
   const char* const end = head.data() + head.size();
-  return isKeyword(skipSpace(head.data(), end), end, "solid") &&
+  return isKeyword(skipSpace(skipUtf8Mark(head), end), end, "solid") &&
     std::find(head.begin(), head.end(), '\0') == head.end();
+}
+
+/// How many facets there are. Programs that do not know it when they write the header leave 0
+/// there.
+std::uint64_t countFacets(const Source& source)
+{
+  if (source.bytes.size() < kHeaderBytes)
+  {
+    source.fail("the file is too short for a binary STL header and no ascii STL; it is truncated");
+  }
+  const std::size_t room = source.bytes.size() - kHeaderBytes;
+  const std::uint64_t announced = announcedFacets(source.bytes);
+  const std::uint64_t count =
+    announced == 0 && room % kFacetBytes == 0 ? room / kFacetBytes : announced;
+  if (count > room / kFacetBytes)
+  {
+    source.failAtByte(source.end(),
+      "the file ends after " + std::to_string(room / kFacetBytes) + " of " + std::to_string(count) +
+        " facets; it is truncated or no STL file");
+  }
+  return count;
 }
 
 /// The corners of facets, one after the other.
@@ -86,6 +103,10 @@ public:
 
   TriMesh finish(const Source& source, CoordinateCheck::Place place)
   {
+    if (this->Mesh.triangles.empty())
+    {
+      source.fail("no facet found; there is nothing to load");
+    }
     this->Check.finish(source, this->Corners, place);
     return std::move(this->Mesh);
   }
@@ -99,18 +120,7 @@ private:
 
 TriMesh parseBinary(const Source& source, Execution& execution)
 {
-  if (source.bytes.size() < kHeaderBytes)
-  {
-    source.fail("the file is too short for a binary STL header and no ascii STL; it is truncated");
-  }
-  const std::uint64_t count = announcedFacets(source.bytes);
-  const std::size_t complete = (source.bytes.size() - kHeaderBytes) / kFacetBytes;
-  if (count > complete)
-  {
-    source.failAtByte(source.end(),
-      "the file ends after " + std::to_string(complete) + " of " + std::to_string(count) +
-        " facets; it is truncated or no STL file");
-  }
+  const std::uint64_t count = countFacets(source);
   FacetSink sink(count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -144,7 +154,7 @@ public:
   {
     const char* const end = this->Text.end();
     std::size_t facets = 0;
-    const char* at = skipSpace(this->Text.begin(), end);
+    const char* at = skipSpace(skipUtf8Mark(this->Text.bytes), end);
     while (at != end)
     {
       if (isKeyword(at, end, "facet"))
@@ -172,9 +182,8 @@ public:
 private:
   const char* readFacet(const char* at)
   {
-    Vec3 normal;
     Triangle triangle = {};
-    at = this->vector(this->keyword(this->keyword(at, "facet"), "normal"), normal);
+    at = this->skipWords(this->keyword(this->keyword(at, "facet"), "normal"), 3);
     at = this->keyword(this->keyword(at, "outer"), "loop");
     for (Index& corner : triangle)
     {
@@ -194,6 +203,17 @@ private:
       this->fail(at, quoted(expected));
     }
     return skipSpace(at + expected.size(), this->Text.end());
+  }
+
+  /// The normal of a facet follows from its corners, and files have "-1.#IND" there.
+  const char* skipWords(const char* at, int count) const
+  {
+    for (; count > 0; --count)
+    {
+      at += word(at, this->Text.end()).size();
+      at = skipSpace(at, this->Text.end());
+    }
+    return at;
   }
 
   const char* vector(const char* at, Vec3& value) const
@@ -232,7 +252,8 @@ TriMesh parseStl(std::span<const char> bytes, std::string_view name, Execution& 
     bytes.size() == kHeaderBytes + announcedFacets(bytes) * kFacetBytes;
   if (!isExactlyBinary && looksLikeText(bytes))
   {
-    return AsciiReader(source, execution).read();
+    const Source text = textOf(name, bytes);
+    return AsciiReader(text, execution).read();
   }
   return parseBinary(source, execution);
 }
@@ -243,19 +264,27 @@ bool looksLikeStl(std::span<const char> head)
   {
     return true;
   }
-  if (head.size() < kHeaderBytes + kFacetBytes || announcedFacets(head) == 0)
+  if (head.size() < kHeaderBytes + kFacetBytes)
   {
     return false;
   }
-  const Vec3 normal = readVector(head.data() + kHeaderBytes);
-  const double length = dot(normal, normal);
-  bool isFinite = true;
-  for (std::size_t k = 1; k <= 3; ++k)
+  const std::size_t facets =
+    std::min<std::uint64_t>(announcedFacets(head), (head.size() - kHeaderBytes) / kFacetBytes);
+  const char* const first = head.data() + kHeaderBytes;
+  for (std::size_t i = 0; i < facets; ++i)
   {
-    const Vec3 corner = readVector(head.data() + kHeaderBytes + 12 * k);
-    isFinite = isFinite && dot(corner, corner) < 1e60; // false for NaN
+    // the normal, which may be no number, and the corners: chance bytes are often far larger
+    for (std::size_t k = 0; k <= 3; ++k)
+    {
+      const Vec3 vector = readVector(first + i * kFacetBytes + 12 * k);
+      const double square = dot(vector, vector);
+      if (square >= 1e30 || (k > 0 && std::isnan(square)))
+      {
+        return false;
+      }
+    }
   }
-  return isFinite && (length == 0.0 || std::abs(length - 1.0) < 0.1);
+  return facets > 0;
 }
 
 } // namespace scan

@@ -15,15 +15,16 @@ namespace scan
 ///
 /// Binary when the size is exactly 84 + 50 n, whatever the header says; else ascii when the text
 /// starts with "solid" and goes on as text; else binary, where bytes behind the last facet are
-/// ignored. Several ascii solids become one mesh; stored normals are ignored. A file without facets
-/// is an empty mesh.
+/// ignored. A binary header that announces no facet has as many as follow. Several ascii solids
+/// become one mesh; stored normals are ignored.
 ///
-/// Throws Error parse, with line or byte, for a malformed or truncated file and for coordinates
-/// that are not finite or exceed 1e50; Error limit for 2^32 - 1 vertices. Phase "read".
+/// Throws Error parse, with line or byte, for a malformed or truncated file, for one without facets
+/// and for coordinates that are not finite or exceed 1e50; Error limit for 2^32 - 1 vertices. Phase
+/// "read".
 TriMesh parseStl(std::span<const char> bytes, std::string_view name, Execution& execution);
 
-/// Whether a file that starts with `head` can be an STL file: for the binary form, 134 bytes whose
-/// first facet has finite coordinates and a normal of length 0 or 1, roughly.
+/// Whether a file that starts with `head` can be an STL file: for the binary form, facets whose
+/// coordinates and normals are below 1e15.
 bool looksLikeStl(std::span<const char> head);
 
 } // namespace scan

@@ -59,14 +59,37 @@ std::string quoted(std::string_view text)
   return result + (text.size() > kLongest ? "...'" : "'");
 }
 
+std::string lowerCase(std::string_view text)
+{
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) { return lowerCase(c); });
+  return lower;
+}
+
+const char* skipUtf8Mark(std::span<const char> text)
+{
+  const bool isMarked = std::string_view(text.data(), text.size()).starts_with("\xef\xbb\xbf");
+  return text.data() + (isMarked ? 3 : 0);
+}
+
 const char* skipByteOrderMark(const Source& source)
 {
-  const std::string_view head(source.begin(), std::min<std::size_t>(source.bytes.size(), 3));
-  if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff"))
+  const std::string_view text(source.begin(), source.bytes.size());
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
   {
     source.fail("the text is encoded as UTF-16; save it as UTF-8 or plain text");
   }
-  return source.begin() + (head == "\xef\xbb\xbf" ? 3 : 0);
+  return skipUtf8Mark(source.bytes);
+}
+
+Source textOf(std::string_view name, std::span<const char> bytes)
+{
+  std::size_t size = bytes.size();
+  while (size > 0 && (bytes[size - 1] == '\x1a' || bytes[size - 1] == '\0'))
+  {
+    --size;
+  }
+  return { name, bytes.first(size) };
 }
 
 const char* parseAnyNumber(const char* at, const char* end, double& value)

@@ -89,11 +89,25 @@ inline std::string_view word(const char* at, const char* end)
 /// The number of the line that `at` lies in, from 1.
 std::size_t lineNumber(const char* begin, const char* at);
 
+/// Letters A to Z become small, whatever the locale.
+inline char lowerCase(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string lowerCase(std::string_view text);
+
 /// A quoted excerpt for messages: unprintable characters shown as '?', long text cut.
 std::string quoted(std::string_view text);
 
-/// The first byte behind a UTF-8 byte order mark; throws Error parse for UTF-16 text.
+/// The first character behind a UTF-8 byte order mark, if there is one.
+const char* skipUtf8Mark(std::span<const char> text);
+
+/// The same; throws Error parse for UTF-16 text.
 const char* skipByteOrderMark(const Source& source);
+
+/// Text without what ends it in old systems: Ctrl-Z, and zeros up to the end of a block.
+Source textOf(std::string_view name, std::span<const char> bytes);
 
 /// Reads the digits at `at` and appends them to the mantissa, modulo 2^64.
 /// @return the character behind the digits

@@ -24,28 +24,22 @@ struct Amount
 {
   double points = 0.0;
   double triangles = 0.0;
+  int depth = 0;           // of the components
   bool isComplete = false; // or still being counted
 
   bool isNothing() const { return this->points == 0.0; }
 };
 
-bool isUsable(const Vec3& point)
-{
-  constexpr double kLargest = CoordinateCheck::kLargest;
-  return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest &&
-    std::abs(point.z) <= kLargest; // false for NaN
-}
-
 /// Fills a model from the parts of an archive.
 class Loader
 {
 public:
-  Loader(const Source& source, Execution& execution)
+  Loader(const Source& source, Execution& execution, double largest)
     : Input(source)
     , Run(execution)
     , Archive(source)
     , Budget(12 * source.bytes.size() + (std::size_t(64) << 20U))
-    , Largest(static_cast<double>(this->Budget))
+    , Largest(std::max(static_cast<double>(this->Budget), largest))
   {
   }
 
@@ -68,12 +62,7 @@ public:
     {
       this->append(item, root, {});
     }
-    if (this->Unusable > 0)
-    {
-      this->Input.fail(std::to_string(this->Unusable) + " of " +
-        std::to_string(this->Result.points.size()) +
-        " points have coordinates that are not finite or exceed 1e50; remove them");
-    }
+    this->Check.finish(this->Input, this->Result, CoordinateCheck::Place::unknown);
     this->Result.millimetresPerUnit = part.millimetresPerUnit;
     return std::move(this->Result);
   }
@@ -148,8 +137,7 @@ private:
     }
     if (!isNew || depth > kDeepest)
     {
-      this->Input.fail("object " + std::to_string(use.object) +
-        " contains itself, or components nest deeper than 100 levels");
+      this->failAsNested(use.object);
     }
     amount.points = static_cast<double>(object.mesh.points.size());
     amount.triangles = static_cast<double>(object.mesh.triangles.size());
@@ -159,10 +147,21 @@ private:
         const Amount inner = this->count(component, this->partOf(use, current), depth + 1);
         amount.points += inner.points;
         amount.triangles += inner.triangles;
+        amount.depth = std::max(amount.depth, inner.depth + 1);
         return inner.isNothing();
       });
+    if (amount.depth > kDeepest) // of objects that were counted one by one
+    {
+      this->failAsNested(use.object);
+    }
     amount.isComplete = true;
     return amount;
+  }
+
+  [[noreturn]] void failAsNested(std::uint32_t object) const
+  {
+    this->Input.fail("object " + std::to_string(object) +
+      " contains itself, or components nest deeper than 100 levels");
   }
 
   void reserve(const ThreemfPart& part, const std::string& name)
@@ -185,11 +184,7 @@ private:
         std::to_string(static_cast<std::size_t>(this->Largest) >> 20U) +
         " MB; save it with fewer copies");
     }
-    if (all.points >= kNone)
-    {
-      throw Error(ErrorCode::limit,
-        std::string(this->Input.name) + ": more than 4294967294 points; split the file");
-    }
+    this->Input.checkPointCount(static_cast<std::uint64_t>(all.points));
     this->Total = static_cast<std::size_t>(all.points + all.triangles);
     this->Result.points.reserve(static_cast<std::size_t>(all.points));
     this->Result.triangles.reserve(static_cast<std::size_t>(all.triangles));
@@ -212,7 +207,7 @@ private:
     {
       this->report();
       this->Result.points.push_back(place.point(point));
-      this->Unusable += isUsable(this->Result.points.back()) ? 0 : 1;
+      this->Check.see(this->Result.points.back());
     }
     const bool isMirrored = place.isMirror();
     for (const auto& [a, b, c] : object.mesh.triangles)
@@ -236,7 +231,7 @@ private:
   std::map<std::string, ThreemfPart> Parts;
   std::map<const ThreemfObject*, Amount> Amounts;
   Model Result;
-  std::size_t Unusable = 0;
+  CoordinateCheck Check;
   std::size_t Total = 0;
   std::size_t Done = 0;
 };
@@ -245,8 +240,14 @@ private:
 
 Model parseThreemf(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
+  return parseThreemfUpTo(1e9, bytes, name, execution);
+}
+
+Model parseThreemfUpTo(
+  double largest, std::span<const char> bytes, std::string_view name, Execution& execution)
+{
   const Source source{ name, bytes };
-  return Loader(source, execution).load();
+  return Loader(source, execution, largest).load();
 }
 
 bool looksLikeThreemf(std::span<const char> head)

@@ -22,9 +22,13 @@ namespace scan
 /// Throws Error parse, with part and line where there is one, for a damaged or truncated archive,
 /// encrypted parts, malformed XML, corners without a vertex, missing objects, objects that contain
 /// themselves, coordinates that are not finite or exceed 1e50, a file without a mesh, and for files
-/// that unpack to more than 200 times their size or, with their copies, take far more memory than
-/// that of a model. Error limit for 2^32 - 1 points. Phase "read".
+/// that unpack to more than 200 times their size or build so many copies that they take more than
+/// 1 GB and 12 times the file. Error limit for 2^32 - 1 points. Phase "read".
 Model parseThreemf(std::span<const char> bytes, std::string_view name, Execution& execution);
+
+/// The same for models that may take so many bytes, or 12 times those of the file and 64 MB.
+Model parseThreemfUpTo(
+  double largest, std::span<const char> bytes, std::string_view name, Execution& execution);
 
 /// Whether a file that starts with `head` can be of this format: a zip archive whose first part is
 /// one that 3MF has.

@@ -4,7 +4,8 @@
 
 #include "readers/vtkScanReader.h"
 
-/// Reads glTF 2.0 models, binary or with embedded buffers. See readers/gltf.h.
+/// Reads glTF 2.0 models, binary or as JSON with buffers that are embedded or lie beside the file.
+/// See readers/gltf.h.
 class SCANREADERS_EXPORT vtkScanGltfReader : public vtkScanReader
 {
 public:

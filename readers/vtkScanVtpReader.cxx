@@ -15,8 +15,6 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkScanVtpReader);
@@ -75,25 +73,18 @@ vtkSmartPointer<vtkPolyData> readXml(const scan::Source& source, const scan::Rep
   return reader->GetOutput();
 }
 
-bool isUsable(const scan::Vec3& p)
+void check(scan::Model& model, const scan::Source& source)
 {
-  const double largest = std::max({ std::abs(p.x), std::abs(p.y), std::abs(p.z) });
-  return largest <= scan::CoordinateCheck::kLargest && !std::isnan(p.x + p.y + p.z);
-}
-
-void check(const scan::Model& model, const scan::Source& source)
-{
-  const auto bad = static_cast<std::size_t>(
-    std::ranges::count_if(model.points, [](const scan::Vec3& p) { return !isUsable(p); }));
-  if (bad > 0)
-  {
-    source.fail(std::to_string(bad) + " of " + std::to_string(model.points.size()) +
-      " points have coordinates that are not finite or exceed 1e50; remove them");
-  }
   if (model.points.empty())
   {
     source.fail("no points found; give a file of PolyData with points");
   }
+  scan::CoordinateCheck coordinates;
+  for (const scan::Vec3& point : model.points)
+  {
+    coordinates.see(point);
+  }
+  coordinates.finish(source, model, scan::CoordinateCheck::Place::unknown);
 }
 
 scan::Model modelIn(const scan::Source& source, const scan::ReportFraction& report)

@@ -7,7 +7,7 @@
 /// Reads the points, faces and lines of VTK XML PolyData, .vtp, by VTK's reader in a process of its
 /// own, which a cancel ends within 0.1 s.
 ///
-/// Polygons become fans, strips triangles, lines curves; vertices are left out. Colours, normals
+/// Polygons and strips become triangles, lines curves; vertices are left out. Colours, normals
 /// and the unit come from the arrays that vtkScanVtpWriter writes; other arrays are left out.
 ///
 /// Error parse, with VTK's words, for a file that is malformed, cut off or without points, for

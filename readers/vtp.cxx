@@ -40,9 +40,9 @@ std::string_view firstTag(std::string_view text)
 
 bool startsAsXml(std::string_view text)
 {
-  text = text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
-  const std::size_t start = text.find_first_not_of(" \t\r\n");
-  return start != std::string_view::npos && text[start] == '<';
+  const char* const end = text.data() + text.size();
+  const char* const start = skipSpace(skipUtf8Mark(text), end);
+  return start != end && *start == '<';
 }
 
 void checkCounts(const Source& source)

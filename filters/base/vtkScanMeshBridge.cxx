@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "filters/base/vtkScanArrayNames.h"
+#include "filters/geometry/polygon.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -62,6 +63,12 @@ void forEachCell(
     }
     visit(corners);
   }
+}
+
+void append(std::vector<Index>& indices, Cell ids)
+{
+  std::ranges::transform(
+    ids, std::back_inserter(indices), [](vtkIdType id) { return static_cast<Index>(id); });
 }
 
 Triangle triangleOf(vtkIdType a, vtkIdType b, vtkIdType c)
@@ -160,8 +167,7 @@ Polylines polylinesOf(vtkPolyData& data)
   forEachCell(*data.GetLines(), data.GetNumberOfPoints(),
     [&](Cell corners)
     {
-      std::ranges::transform(corners, std::back_inserter(lines.corners),
-        [](vtkIdType id) { return static_cast<Index>(id); });
+      append(lines.corners, corners);
       lines.endLine();
     });
   return lines;
@@ -224,27 +230,23 @@ TriMesh meshOf(vtkPolyData& data)
   TriMesh mesh;
   mesh.points = pointsOf(data);
   const vtkIdType pointCount = data.GetNumberOfPoints();
+  std::vector<Index> corners;
   if (!appendTriangles(*data.GetPolys(), pointCount, mesh.triangles))
   {
     forEachCell(*data.GetPolys(), pointCount,
-      [&](Cell corners)
+      [&](Cell polygon)
       {
-        for (std::size_t i = 2; i < corners.size(); ++i)
-        {
-          mesh.triangles.push_back(triangleOf(corners[0], corners[i - 1], corners[i]));
-        }
+        corners.clear();
+        append(corners, polygon);
+        appendPolygon(mesh.triangles, mesh.points, corners);
       });
   }
   forEachCell(*data.GetStrips(), pointCount,
-    [&](Cell corners)
+    [&](Cell strip)
     {
-      for (std::size_t i = 2; i < corners.size(); ++i)
-      {
-        // every second triangle of a strip is stored turned over
-        const std::size_t turn = i % 2;
-        mesh.triangles.push_back(
-          triangleOf(corners[i - 2 + turn], corners[i - 1 - turn], corners[i]));
-      }
+      corners.clear();
+      append(corners, strip);
+      appendStrip(mesh.triangles, corners);
     });
   return mesh;
 }

@@ -26,6 +26,8 @@ struct Model : TriMesh
   std::string note = {}; ///< what the user should know about how the file was read; one line
 
   bool isScan() const { return this->triangles.empty() && this->curves.empty(); }
+
+  void addNote(const std::string& text) { this->note += (this->note.empty() ? "" : "; ") + text; }
 };
 
 } // namespace scan

@@ -9,6 +9,7 @@
 #include "readers/digibotics.h"
 #include "readers/gltf.h"
 #include "readers/las.h"
+#include "readers/legacy_vtk.h"
 #include "readers/obj.h"
 #include "readers/off.h"
 #include "readers/pcd.h"
@@ -18,6 +19,9 @@
 #include "readers/ptx.h"
 #include "readers/sgi_image.h"
 #include "readers/stl.h"
+#include "readers/threemf.h"
+#include "readers/transforms.h"
+#include "readers/vtp.h"
 
 #include <cstddef>
 #include <span>
@@ -56,6 +60,38 @@ inline Model parseColoredCyberware(
   return std::move(scan.model);
 }
 
+/// Without a model to be copied a thousand times, which takes the fuzzer too long.
+inline Model parseSmallGltf(
+  std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  return parseGltfScene(bytes, name, { .largest = 36e6 }, execution);
+}
+
+inline Model parseSmallThreemf(
+  std::span<const char> bytes, std::string_view name, Execution& execution)
+{
+  return parseThreemfUpTo(0.0, bytes, name, execution);
+}
+
+/// A list of transforms has no points: an empty model.
+inline Model parseTransformList(std::span<const char> bytes, std::string_view name, Execution&)
+{
+  parseTransforms(bytes, name);
+  return {};
+}
+
+/// What is checked before VTK reads a file: an empty model.
+inline Model checkVtpFile(std::span<const char> bytes, std::string_view name, Execution&)
+{
+  checkVtp({ name, bytes });
+  return {};
+}
+
+inline bool looksLikeAnything(std::span<const char>)
+{
+  return true;
+}
+
 /// An image has no points: an empty model.
 inline Model parseImage(std::span<const char> bytes, std::string_view name, Execution&)
 {
@@ -67,8 +103,9 @@ inline constexpr FuzzedParser kFuzzedParsers[] = {
   { "autodesk_3ds", parseAutodesk3ds, looksLikeAutodesk3ds },
   { "cyberware", parseColoredCyberware, looksLikeCyberware, std::size_t(4) << 10U, 30 },
   { "digibotics", parseDigibotics, looksLikeDigibotics },
-  { "gltf", parseGltf, looksLikeGltf, kExpands },
+  { "gltf", parseSmallGltf, looksLikeGltf, kExpands },
   { "las", parseLas, looksLikeLas },
+  { "legacy_vtk", parseLegacyVtk, looksLikeLegacyVtk },
   { "obj", parseObj, looksLikeObj },
   { "off", parseOff, looksLikeOff },
   { "pcd", parsePcd, looksLikePcd, kExpands },
@@ -79,6 +116,9 @@ inline constexpr FuzzedParser kFuzzedParsers[] = {
   { "ptx", parsePtx, looksLikePtx },
   { "sgi_image", parseImage, looksLikeSgiImage, kExpands },
   { "stl", parseMesh<parseStl>, looksLikeStl },
+  { "threemf", parseSmallThreemf, looksLikeThreemf, 2 * kExpands, 24 },
+  { "transforms", parseTransformList, looksLikeAnything },
+  { "vtp_counts", checkVtpFile, looksLikeVtp },
 };
 
 } // namespace scan::test

@@ -142,12 +142,12 @@ TEST(Cyberware, KeepsNegativeDepthsButNoNegativeRadii)
   map.samples[17] = kCyberwareVoid;
   const CyberwareScan round = mesh(cyberwareText(map));
   EXPECT_EQ(round.model.points.size(), 38U);
-  EXPECT_EQ(round.negative, 1U);
+  EXPECT_EQ(round.model.note, "samples with a radius below zero left out: 1");
   map.space = "CARTESIAN";
   const CyberwareScan flat = mesh(cyberwareText(map));
   EXPECT_EQ(flat.model.points.size(), 39U);
   EXPECT_EQ(flat.model.points[3].z, -0.032);
-  EXPECT_EQ(flat.negative, 0U);
+  EXPECT_EQ(flat.model.note, "");
 }
 
 TEST(Cyberware, AcceptsWhatOtherProgramsWrite)
@@ -240,7 +240,9 @@ TEST(Cyberware, KeepsTheHalvesOfABilateralMapApart)
   map.space = "BILATERAL";
   map.latitudes = 6;
   map.samples.assign(48, 100);
-  EXPECT_EQ(facesUp(mesh(cyberwareText(map)).model), std::vector<bool>(7 * 4 * 2, true));
+  const CyberwareScan scan = mesh(cyberwareText(map));
+  EXPECT_EQ(facesUp(scan.model), std::vector<bool>(7 * 4 * 2, true));
+  EXPECT_EQ(scan.model.note, "the two halves of the map lie over each other");
   EXPECT_TRUE(contains(error(replaced(cyberwareText(map), "NLT=6", "NLT=5")), "odd number"));
 }
 

@@ -118,15 +118,23 @@ TEST(Digibotics, RefusesOtherText)
   EXPECT_EQ(error("one\ntwo\n1 2 3\n"),
     "file: only 1 lines are points, but 2 start with a word; this is no Digibotics text that can "
     "be read, export it as XYZ");
-  EXPECT_TRUE(contains(error("1 2 3\n1 nan 2\n"), "1 of 2 points"));
+  EXPECT_TRUE(contains(error("1 2 3\n1 inf 2\n"), "1 of 2 points"));
   EXPECT_TRUE(contains(error("\xff\xfe\x31"), "UTF-16"));
 }
 
-TEST(Digibotics, ClaimsOnlyContoursAndUnits)
+TEST(Digibotics, SaysThatItIsNotVerified)
+{
+  EXPECT_TRUE(contains(parse(kText).note, "was not verified; check a known size"));
+}
+
+TEST(Digibotics, ClaimsOnlyContours)
 {
   EXPECT_TRUE(claims(kText));
-  EXPECT_TRUE(claims("# Units: mm\n1 2 3\n"));
+  EXPECT_TRUE(claims("SLICE 1\n1 2 3\n"));
   EXPECT_TRUE(claims("1 2 3\nContour 2\n4 5 6\n"));
+  EXPECT_TRUE(claims("1 2 3\n# layer 2\n4 5 6\n"));
+  EXPECT_FALSE(claims("# Units: mm\n1 2 3\n")); // a vertex list, perhaps with colours
+  EXPECT_FALSE(claims("# Profile data\n1 2 3\n"));
   EXPECT_FALSE(claims(""));
   EXPECT_FALSE(claims("1 2 3\n4 5 6\n"));
   EXPECT_FALSE(claims("# saved in Austin\nx y z\n1 2 3\n"));

@@ -187,8 +187,34 @@ TEST(Gltf, ReadsEmbeddedBuffers)
   EXPECT_EQ(error(replaced(json, "AAAA", "AA!A")), "file: buffer 0 has malformed base64 data");
   EXPECT_EQ(
     error(replaced(json, "data:application/octet-stream;base64,", "mesh.bin?")).substr(0, 39),
-    "file: buffer 0 is the file 'mesh.bin?AA");
+    "file: buffer 0 is 'mesh.bin?AAAAAAAAAAA");
   scan::test::expectErrorOrModelWhenDamaged(scan::parseGltf, json);
+}
+
+TEST(Gltf, AsksForBuffersInFilesOfTheirOwn)
+{
+  std::string json = "{'buffers':[{'uri':'a b.bin','byteLength':36}],'bufferViews':[{'buffer':0,"
+                     "'byteLength':36}],'accessors':[{'bufferView':0,'componentType':5126,'count':3"
+                     ",'type':'VEC3'}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],"
+                     "'asset':{'version':'2.0'}}";
+  std::replace(json.begin(), json.end(), '\'', '"');
+  const std::string buffer = raw<float>({ 0, 0, 0, 1, 0, 0, 0, 2, 0 });
+  std::string asked;
+  const auto read = [&](const std::string& bytes)
+  {
+    const auto readBuffer = [&](const std::string& uri)
+    {
+      asked += uri;
+      return std::span<const char>(bytes);
+    };
+    scan::Execution execution(1);
+    return scan::parseGltfScene(json, "file", { .readBuffer = readBuffer }, execution);
+  };
+  EXPECT_EQ(read(buffer).points, (std::vector<Vec3>{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 2, 0 } }));
+  EXPECT_EQ(asked, "a b.bin"); // once
+  EXPECT_THROW(read(buffer.substr(1)), scan::Error);
+  EXPECT_EQ(error(json),
+    "file: buffer 0 is 'a b.bin', which is not read; save as .glb or with embedded buffers");
 }
 
 TEST(Gltf, ReadsQuantizedCoordinatesWithAStride)
@@ -216,6 +242,8 @@ TEST(Gltf, RefusesWhatItDoesNotRead)
     error(squareWith("'2.0'", "'1.0'")), "file: glTF of version '1.0'; only version 2 is read");
   EXPECT_EQ(error(replaced(square(), std::string("glTF\2"), std::string("glTF\1"))),
     "file: GLB of version 1; only version 2 is read");
+  EXPECT_EQ(error(std::string("glTF\2\0\0\0\2\0\0\0JSON", 16)),
+    "file: the header announces 2 bytes, but the file has 16; it is truncated or malformed");
 }
 
 TEST(Gltf, RefusesDataOutOfBounds)
@@ -276,7 +304,11 @@ TEST(Gltf, RefusesDeepJsonAndCopiesWithoutEnd)
   json = replaced(json, "'count':4,'type':'VEC3','min'", primitives);
   json = replaced(json, "'byteLength':96}", "'byteLength':240000}");
   json = replaced(json, "'byteLength':128", "'byteLength':240000");
-  EXPECT_NE(error(glb(json, kBuffer + std::string(240000, '\0'))).find("shows its meshes so often"),
+  const auto readSmall =
+    [](std::span<const char> bytes, std::string_view name, scan::Execution& execution)
+  { return scan::parseGltfScene(bytes, name, { .largest = 36e6 }, execution); };
+  EXPECT_NE(scan::test::parseError(readSmall, glb(json, kBuffer + std::string(240000, '\0')))
+              .find("shows its meshes so often that they take 540 MB"),
     std::string::npos);
 }
 
@@ -292,8 +324,7 @@ TEST(Gltf, RefusesScenesWithoutAModel)
 TEST(Gltf, CountsUnusableCoordinates)
 {
   EXPECT_EQ(error(squareWith("{'mesh':0}", "{'mesh':0,'scale':[1e60,1,1]}")),
-    "file: 2 of 4 points have coordinates that are not finite or exceed 1e50 (first: accessor 0); "
-    "remove them");
+    "file: 2 of 4 points have coordinates that are not finite or exceed 1e50; remove them");
 }
 
 TEST(Gltf, IsRecognised)

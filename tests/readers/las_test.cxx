@@ -187,6 +187,7 @@ TEST(Las, LeavesWithheldPointsOut)
   const std::size_t second = las.start() + las.recordSize() + 15;
   const Model model = parse(changed(las.bytes(), second, std::uint8_t(0x82)));
   EXPECT_EQ(model.points, rest);
+  EXPECT_EQ(model.note, "withheld points left out: 1");
   EXPECT_EQ(model.colors, (std::vector<Color>{ { 1, 20, 255 }, { 3, 20, 255 } }));
   EXPECT_EQ(parse(changed(las.bytes(), second, std::uint8_t(0x04))).points, kPoints);
   las.minor = 0; // the whole byte is a class

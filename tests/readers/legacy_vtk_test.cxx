@@ -92,6 +92,33 @@ TEST(LegacyVtk, ReadsColoursAndFieldsAsText)
   EXPECT_EQ(model.colors, colors);
 }
 
+TEST(LegacyVtk, KeepsColoursAheadOfScalarsOfTwoColumns)
+{
+  const Model model = parse(parseLegacyVtk,
+    kQuad + kFaces + "POINT_DATA 4\nCOLOR_SCALARS c 3\n" + "1 1 1 0 0 0 1 0 0 0 1 0\n" +
+      "COLOR_SCALARS d 2\n1 1 1 1 1 1 1 1\n");
+  ASSERT_EQ(model.colors.size(), 4U);
+  EXPECT_EQ(model.colors[2], (Color{ 255, 0, 0 }));
+}
+
+TEST(LegacyVtk, SkipsBinaryStrings)
+{
+  const std::string letters(100, 'x'); // a length of two bytes
+  const std::string text = "# vtk DataFile Version 5.1\nA quad\nBINARY\nDATASET POLYDATA\n"
+                           "FIELD FieldData 1\nnames 1 3 string\n" +
+    std::string("\xc2") + "ab" + std::string("\x80\x64", 2) + letters + "\xc0" +
+    "\nPOINTS 1 float\n" + big(std::vector<float>{ 1, 2, 3 }) + "\n";
+  EXPECT_EQ(parse(parseLegacyVtk, text).points, (std::vector<Vec3>{ { 1, 2, 3 } }));
+  expectErrorOrModelWhenDamaged(parseLegacyVtk, text);
+}
+
+TEST(LegacyVtk, FillsConcavePolygonsInsideTheirBorder)
+{
+  const Model model = parse(
+    parseLegacyVtk, kHead + "POINTS 4 float\n0 0 0 4 2 0 1 2 0 0 4 0\nPOLYGONS 1 5\n4 1 2 3 0\n");
+  EXPECT_DOUBLE_EQ(areaOf(model), 5.0);
+}
+
 TEST(LegacyVtk, ReadsStripsAndSkipsLinesAndVertices)
 {
   const Model model = parse(parseLegacyVtk,
@@ -134,7 +161,7 @@ TEST(LegacyVtk, SaysWhatIsWrong)
     "file: line 8: the file ends early, in the middle of numbers");
   EXPECT_EQ(
     errorOf(kHead + "POINTS 1 float\n0 0 z\n"), "file: line 6: expected a number, found 'z'");
-  EXPECT_EQ(errorOf(kHead + "POINTS 2 float\n0 0 0\n0 nan 0\n"),
+  EXPECT_EQ(errorOf(kHead + "POINTS 2 float\n0 0 0\n0 inf 0\n"),
     "file: 1 of 2 points have coordinates that are not finite or exceed 1e50 (first: line 7); "
     "remove them");
   EXPECT_EQ(errorOf(kQuad + "POLYGONS 1 4\n3 0 1 4\n"),

@@ -43,6 +43,19 @@ TEST(Obj, AcceptsFacesAheadOfTheirVertices)
   EXPECT_EQ(parse("f 1 2 3 4\n" + kSquare).triangles, kFan);
 }
 
+TEST(Obj, FillsConcavePolygonsInsideTheirBorder)
+{
+  EXPECT_DOUBLE_EQ(
+    scan::test::areaOf(parse("v 0 0 0\nv 4 2 0\nv 1 2 0\nv 0 4 0\nf 2 3 4 1\n")), 5.0);
+}
+
+TEST(Obj, LeavesOutPointsThatAreNoNumberWithTheirColours)
+{
+  const Model model = parse("v 0 0 0 1 2 3\nv nan 0 0 4 5 6\nv 1 1 1 7 8 9\n\x1a");
+  EXPECT_EQ(model.points.size(), 2U);
+  EXPECT_EQ(model.colors, (std::vector<scan::Color>{ { 1, 2, 3 }, { 7, 8, 9 } }));
+}
+
 TEST(Obj, JoinsContinuedLines)
 {
   EXPECT_EQ(parse(kSquare + "f 1 2 \\\n 3 4\n").triangles, kFan);

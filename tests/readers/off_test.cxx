@@ -136,6 +136,50 @@ TEST(Off, ReadsEveryCombinationOfKeywords)
   EXPECT_EQ(all.colors, both.colors);
 }
 
+TEST(Off, ReadsTheLettersOfTheKeywordInAnyOrder)
+{
+  const Model model = parse("NCOFF\n1 0 0\n1 2 3 0 1 0 10 20 30 255\n");
+  EXPECT_EQ(model.normals, (std::vector<Vec3>{ { 0, 1, 0 } }));
+  EXPECT_EQ(model.colors, (std::vector<Color>{ { 10, 20, 30 } }));
+  EXPECT_EQ(parse("CSTOFF\n1 0 0\n1 2 3 10 20 30 255 0.25 0.75\n").colors, model.colors);
+  EXPECT_EQ(parse("off\n4 0 0\n" + kVertices).points, kSquare);
+  EXPECT_EQ(parse("coff\n1 0 0\n1 2 3 10 20 30\n").colors, model.colors);
+}
+
+TEST(Off, ReadsColorsAheadOfNormalsAsMeshLabWritesThem)
+{
+  const std::vector<Vec3> normals = { { 0, 1, 0 }, { 0, 0.6, -0.8 } };
+  const std::vector<Color> colors = { { 10, 20, 30 }, { 0, 1, 0 } };
+  for (const char* const opacity : { "", " 255" })
+  {
+    const auto colorsFirst = [&](const std::string& rgb, const std::string& normal)
+    { return "1 2 3 " + rgb + opacity + " " + normal + "\n"; };
+    const Model model = parse(
+      "NCOFF\n2 0 0\n" + colorsFirst("10 20 30", "0 1 0") + colorsFirst("0 1 0", "0 0.6 -0.8"));
+    EXPECT_EQ(model.normals, normals);
+    EXPECT_EQ(model.colors, colors);
+  }
+}
+
+TEST(Off, NeedsNoKeyword)
+{
+  EXPECT_EQ(parse("4 1 0\n" + kVertices + "4 0 1 2 3\n").triangles, kFan);
+}
+
+TEST(Off, FillsConcavePolygonsInsideTheirBorder)
+{
+  const Model model = parse("OFF\n4 1 0\n0 0 0\n4 2 0\n1 2 0\n0 4 0\n4 1 2 3 0\n");
+  EXPECT_DOUBLE_EQ(scan::test::areaOf(model), 5.0);
+}
+
+TEST(Off, LeavesOutPointsThatAreNoNumberWithTheirColours)
+{
+  const Model model = parse("COFF\n3 0 0\n0 0 0 1 2 3\nnan 0 0 4 5 6\n1 1 1 7 8 9\n");
+  EXPECT_EQ(model.points.size(), 2U);
+  EXPECT_EQ(model.colors, (std::vector<Color>{ { 1, 2, 3 }, { 7, 8, 9 } }));
+  expectError("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\nnan 0 0\n3 0 1 2\n", "1 of 4 points");
+}
+
 TEST(Off, RefusesCountsThatLie)
 {
   EXPECT_EQ(error("OFF\n5 1 0\n" + kVertices + "4 0 1 2 3\n"),

@@ -6,6 +6,7 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/model.h"
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,18 @@ auto parse(Parser parser, std::string_view text, unsigned threads = 1)
   const std::vector<char> bytes(text.begin(), text.end());
   Execution execution(threads);
   return parser(bytes, "file", execution);
+}
+
+/// The areas of the triangles, each counted positive.
+inline double areaOf(const TriMesh& mesh)
+{
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    const Vec3 n = cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+    sum += 0.5 * std::sqrt(dot(n, n));
+  }
+  return sum;
 }
 
 /// The message of the Error parse that the text ends in; empty when it is accepted.

@@ -163,6 +163,28 @@ TEST(Ply, TurnsPolygonsIntoFans)
   EXPECT_EQ(parse(kAscii + kSquare + "4 0 1 2 3\n").triangles, fan);
 }
 
+TEST(Ply, FillsConcavePolygonsInsideTheirBorder)
+{
+  const std::string text = kAscii + "element vertex 4\n" + kXyz +
+    "element face 1\nproperty list int int vertex_indices\nend_header\n"
+    "0 0 0\n4 2 0\n1 2 0\n0 4 0\n4 1 2 3 0\n";
+  EXPECT_DOUBLE_EQ(scan::test::areaOf(parse(text)), 5.0);
+}
+
+TEST(Ply, ReadsHeadersBehindAByteOrderMark)
+{
+  const std::string text =
+    "\xef\xbb\xbfply \r\n" + kAscii.substr(4) + "element vertex 1\n" + kXyz + "end_header\n1 2 3\n";
+  EXPECT_TRUE(scan::looksLikePly(text));
+  EXPECT_EQ(parse(text).points, (std::vector<scan::Vec3>{ { 1, 2, 3 } }));
+}
+
+TEST(Ply, NamesTheIndexThatIsNoInteger)
+{
+  EXPECT_NE(error(kAscii + kSquare + "3 0 1 1.5\n").find("expected an integer, found '1.5'"),
+    std::string::npos);
+}
+
 TEST(Ply, LeavesOutFacesWithoutArea)
 {
   EXPECT_TRUE(parse(kAscii + kSquare + "2 0 1\n").triangles.empty());
@@ -286,7 +308,7 @@ TEST(Ply, RefusesASecondListOfPoints)
 
 TEST(Ply, CountsUnusableCoordinates)
 {
-  const std::string text = kAscii + "element vertex 2\n" + kXyz + "end_header\n1 2 3\n1 -nan 3\n";
+  const std::string text = kAscii + "element vertex 2\n" + kXyz + "end_header\n1 2 3\n1 -inf 3\n";
   EXPECT_EQ(error(text),
     "file: 1 of 2 points have coordinates that are not finite or exceed 1e50 (first: line 8); "
     "remove them");

@@ -180,11 +180,13 @@ TEST(PointsText, NamesTheLineThatIsNoPoint)
 
 TEST(PointsText, RefusesDecimalCommasInsteadOfMisreadingThem)
 {
-  for (const char* const text : { "1,5;2,5;3,5\n", "1,5 2,5 3,5\n", "1,5\t2\t3\n" })
+  for (const char* const text : { "1,5;2,5;3,5\n", "1,5 2,5 3,5\n", "1,5\t2\t3\n",
+         "1;2;3\n1,5;2,5;3,5\n", "1 2 3\n4 5 6\n1 2 3,25\n", "1 2 3\n1 2,5 3\n" })
   {
     EXPECT_NE(error(text).find("decimal commas"), std::string::npos) << text;
   }
   EXPECT_EQ(points("1,5,2\n").size(), 1U);
+  EXPECT_EQ(points("1,5,2 0.5\n1, 5, 2;\n1 ,5;2,\n").size(), 3U);
 }
 
 TEST(PointsText, RefusesTextWithoutPointsAndUtf16)
@@ -258,6 +260,40 @@ TEST(PointsText, ReportsProgress)
   EXPECT_GE(reports, text.size() >> 21U);
 }
 
+TEST(PointsText, ReadsTheColumnsThatAHeaderNames)
+{
+  const std::vector<Color> colors = { { 1, 2, 3 }, { 0, 255, 10 } };
+  EXPECT_EQ(parse("//X Y Z R G B Scalar\n1 2 3 1 2 3 50\n1 2 3 0 255 10 60\n").colors, colors);
+  EXPECT_EQ(
+    parse("x,y,z,intensity,red,green,blue,class\n1,2,3,9,1,2,3,7\n1,2,3,9,0,255,10,7\n").colors,
+    colors);
+  const Model both = parse("\"X\";\"Y\";\"Z\";\"i\";\"R\";\"G\";\"B\";\"Nx\";\"Ny\";\"Nz\"\n"
+                           "1;2;3;9;1;2;3;0;0;1\n1;2;3;9;0;255;10;0;-1;0\n");
+  EXPECT_EQ(both.colors, colors);
+  EXPECT_EQ(both.normals, (std::vector<Vec3>{ { 0, 0, 1 }, { 0, -1, 0 } }));
+  // names of other columns, and columns that are not what they are named
+  EXPECT_TRUE(hasOnlyPoints("# X Y Z a b c\n1 2 3 1 2 3\n1 2 3 0 255 10\n"));
+  EXPECT_TRUE(hasOnlyPoints("# X Y Z R G B\n1 2 3 0.5 0.25 1\n1 2 3 0 0 0\n"));
+  // a title is no header
+  EXPECT_EQ(parse("# a scan of a tooth\n1 2 3 1 2 3\n1 2 3 0 255 10\n").colors, colors);
+}
+
+TEST(PointsText, LeavesOutPointsThatAreNoNumber)
+{
+  const Model model =
+    parse("1 2.5 -3 1 2 3\nnan nan nan 0 0 0\n4 5 6e-3 0 255 10\n1 NaN 3 7 7 7\n");
+  EXPECT_EQ(model.points, kTwo);
+  EXPECT_EQ(model.colors, (std::vector<Color>{ { 1, 2, 3 }, { 0, 255, 10 } }));
+  EXPECT_EQ(model.note, "points whose coordinates are not a number left out: 2");
+  EXPECT_EQ(error("nan nan nan\n"), "file: no point with coordinates; there is nothing to load");
+}
+
+TEST(PointsText, EndsAtWhatEndedTextsOnce)
+{
+  EXPECT_EQ(points("1 2.5 -3\r\n4 5 6e-3\r\n\x1a"), kTwo);
+  EXPECT_EQ(points("1 2.5 -3\n4 5 6e-3\n" + std::string(100, '\0')), kTwo);
+}
+
 TEST(PointsText, KnowsItsOwn)
 {
   const auto looks = [](std::string_view head) {
@@ -267,5 +303,5 @@ TEST(PointsText, KnowsItsOwn)
   EXPECT_TRUE(looks("# c\np 1 2 3\n"));
   EXPECT_FALSE(looks(""));
   EXPECT_FALSE(looks("v 1 2 3\n"));
-  EXPECT_FALSE(looks(std::string_view("1 2 3\n\0", 7)));
+  EXPECT_FALSE(looks(std::string_view("1 2 3\n\0x", 8)));
 }

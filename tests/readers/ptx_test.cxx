@@ -157,7 +157,10 @@ TEST(Ptx, KnowsItsOwn)
     return scan::looksLikePtx({ head.data(), head.size() });
   };
   EXPECT_TRUE(looks(header(2, 2)));
-  EXPECT_TRUE(looks("2\r\n2\r\n0 0 0\r\n"));
+  EXPECT_TRUE(
+    looks("2\r\n2\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n1 0 0 0\r\n0 1 0 0\r\n0 0 1 0\r\n"
+          "0 0 0 1\r\n"));
+  EXPECT_FALSE(looks("2\n2\n0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4\n5 5 5\n6 6 6\n7 7 7\n"));
   EXPECT_FALSE(looks("2\n1 2 3 4\n"));
   EXPECT_FALSE(looks("2\n2\n1 2 3 4\n"));
   EXPECT_FALSE(looks("1 2 3\n"));

@@ -81,10 +81,31 @@ TEST(Stl, JoinsSeveralSolids)
   EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
-TEST(Stl, HasEmptyMeshes)
+TEST(Stl, RefusesFilesWithoutFacets)
 {
-  EXPECT_TRUE(parse("solid nothing\nendsolid nothing").triangles.empty());
-  EXPECT_TRUE(parse(binary({})).points.empty());
+  const std::string expected = "file: no facet found; there is nothing to load";
+  EXPECT_EQ(error("solid nothing\nendsolid nothing"), expected);
+  EXPECT_EQ(error(binary({})), expected);
+}
+
+TEST(Stl, ReadsFacetsThatTheHeaderDoesNotAnnounce)
+{
+  std::string file = binary(kTwo);
+  file.replace(80, 4, 4, '\0');
+  EXPECT_EQ(parse(file).triangles.size(), 2U);
+  EXPECT_EQ(error(file + "x"), "file: no facet found; there is nothing to load");
+}
+
+TEST(Stl, IgnoresNormals)
+{
+  std::string text = "\xef\xbb\xbfsolid\n" + kFacet + "endsolid\n\x1a";
+  const std::size_t normal = text.find("normal ") + 7;
+  text.replace(normal, text.find('\n', normal) - normal, "-1.#IND 1e999 nan");
+  EXPECT_EQ(parse(text).triangles.size(), 1U);
+  std::string file = binary(kTwo);
+  file.replace(84, 12, std::string("\0\0\xc0\x7f\0\0\x20\x41\0\0\0\0", 12)); // nan 10 0
+  EXPECT_TRUE(scan::looksLikeStl(file));
+  EXPECT_EQ(parse(file).triangles.size(), 2U);
 }
 
 TEST(Stl, NamesThePlaceOfAnError)

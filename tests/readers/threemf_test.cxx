@@ -225,6 +225,17 @@ TEST(Threemf, RefusesObjectsThatContainThemselves)
     "<object id=\"5\"><components><component objectid=\"5\"/></components></object>";
   EXPECT_NE(error(file(model(self, "<item objectid=\"5\"/>"))).find("object 5 contains itself"),
     std::string::npos);
+  // a chain, whose objects are built one by one before the last
+  std::string chain = kObject;
+  std::string items;
+  for (int i = 5; i < 50000; ++i)
+  {
+    chain += "<object id=\"" + std::to_string(i) + "\"><components><component objectid=\"" +
+      std::to_string(i - 1) + "\"/></components></object>\n";
+    items += "<item objectid=\"" + std::to_string(i) + "\"/>";
+  }
+  EXPECT_NE(
+    error(file(model(chain, items))).find("nest deeper than 100 levels"), std::string::npos);
 }
 
 TEST(Threemf, RefusesWhatGrowsWithoutEnd)
