@@ -82,7 +82,7 @@ std::uint64_t countFacets(const Source& source)
   return count;
 }
 
-/// The corners of facets, one after the other.
+/// Takes the corners of facets, one after the other.
 class FacetSink
 {
 public:
@@ -92,30 +92,50 @@ public:
     this->Mesh.triangles.reserve(facets);
   }
 
-  Index corner(const Vec3& point, const char* at)
+  void corner(const Vec3& point, const char* at)
   {
     this->Check.see(point, at);
-    ++this->Corners;
-    return this->Welder.add(point);
+    this->Waiting[this->Count++] = point;
+    if (this->Count == this->Waiting.size())
+    {
+      this->weld();
+    }
   }
-
-  void facet(const Triangle& triangle) { this->Mesh.triangles.push_back(triangle); }
 
   TriMesh finish(const Source& source, CoordinateCheck::Place place)
   {
+    this->weld();
     if (this->Mesh.triangles.empty())
     {
       source.fail("no facet found; there is nothing to load");
     }
-    this->Check.finish(source, this->Corners, place);
+    this->Check.finish(source, 3 * this->Mesh.triangles.size(), place);
     return std::move(this->Mesh);
   }
 
 private:
+  void weld()
+  {
+    Triangle triangle = {};
+    std::size_t used = 0;
+    this->Welder.add({ this->Waiting.data(), this->Count },
+      [&](Index corner)
+      {
+        triangle[used++] = corner;
+        if (used == 3)
+        {
+          this->Mesh.triangles.push_back(triangle);
+          used = 0;
+        }
+      });
+    this->Count = 0;
+  }
+
   TriMesh Mesh;
   VertexWelder Welder;
   CoordinateCheck Check;
-  std::size_t Corners = 0;
+  std::array<Vec3, VertexWelder::kBatch> Waiting; // whole facets
+  std::size_t Count = 0;
 };
 
 TriMesh parseBinary(const Source& source, Execution& execution)
@@ -129,12 +149,10 @@ TriMesh parseBinary(const Source& source, Execution& execution)
       execution.step("read", i, count);
     }
     const char* const corners = source.begin() + kHeaderBytes + i * kFacetBytes + 12;
-    Triangle triangle = {};
     for (std::size_t k = 0; k < 3; ++k)
     {
-      triangle[k] = sink.corner(readVector(corners + 12 * k), corners + 12 * k);
+      sink.corner(readVector(corners + 12 * k), corners + 12 * k);
     }
-    sink.facet(triangle);
   }
   return sink.finish(source, CoordinateCheck::Place::byte);
 }
@@ -182,17 +200,15 @@ public:
 private:
   const char* readFacet(const char* at)
   {
-    Triangle triangle = {};
     at = this->skipWords(this->keyword(this->keyword(at, "facet"), "normal"), 3);
     at = this->keyword(this->keyword(at, "outer"), "loop");
-    for (Index& corner : triangle)
+    for (int i = 0; i < 3; ++i)
     {
       Vec3 point;
       const char* const line = at;
       at = this->vector(this->keyword(at, "vertex"), point);
-      corner = this->Sink.corner(point, line);
+      this->Sink.corner(point, line);
     }
-    this->Sink.facet(triangle);
     return this->keyword(this->keyword(at, "endloop"), "endfacet");
   }
 
