@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A libFuzzer target for the parser that SCAN_FUZZED names: whatever the bytes, it ends in a usable
 // model or in one line of an Error, and takes no more memory than it may.
-#include "filters/base/error.h"
+#include "tests/fuzz/outcome.h"
 #include "tests/fuzz/parser_table.h"
-#include "tests/readers/usable.h"
 
 #include <sanitizer/allocator_interface.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 
@@ -40,15 +37,6 @@ void seeRelease(const volatile void* memory)
     static_cast<std::ptrdiff_t>(__sanitizer_get_allocated_size(const_cast<const void*>(memory)));
 }
 
-void require(bool isTrue, const std::string& what)
-{
-  if (!isTrue)
-  {
-    std::fprintf(stderr, "%s\n", what.c_str());
-    std::abort();
-  }
-}
-
 } // namespace
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
@@ -63,18 +51,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   scan::Execution execution(1);
   kParser.looksLike(bytes);
   allocated = mostAllocated = 0;
-  try
-  {
-    require(
-      scan::test::isUsable(kParser.parse(bytes, "file", execution)), "the model is not usable");
-  }
-  catch (const scan::Error& error)
-  {
-    const std::string message = error.what();
-    require(message.starts_with("file: ") && message.find('\n') == std::string::npos,
-      "not a line about the file: " + message);
-  }
-  require(
+  scan::test::requireModelOrError([&] { return kParser.parse(bytes, "file", execution); });
+  scan::test::require(
     mostAllocated <= static_cast<std::ptrdiff_t>(kParser.memoryPerByte * size + kParser.freeMemory),
     std::to_string(mostAllocated) + " bytes of memory for a file of " + std::to_string(size));
   return 0;
