@@ -262,7 +262,7 @@ const std::vector<Format>& formats()
         .triangles = true,
         .curves = true,
         .unit = "in the file",
-        .limits = "1.4 million triangles, 600,000 as a solid" },
+        .limits = "9,999,999 lines: 1.5 million triangles, 800,000 as a solid" },
       .writeParameters = { { .name = "entities",
                              .defaultValue = "faces",
                              .help = "planes one by one, one solid of a closed surface, patches, "

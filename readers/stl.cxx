@@ -6,6 +6,7 @@
 #include "readers/text_scanner.h"
 #include "readers/vertex_welder.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -287,6 +288,12 @@ bool looksLikeStl(std::span<const char> head)
   const std::size_t facets =
     std::min<std::uint64_t>(announcedFacets(head), (head.size() - kHeaderBytes) / kFacetBytes);
   const char* const first = head.data() + kHeaderBytes;
+  const auto isPrintable = [](char c)
+  { return (c >= ' ' && c <= '~') || isBlank(c) || isLineEnd(c); };
+  if (std::all_of(first - sizeof(std::uint32_t), first + kFacetBytes, isPrintable))
+  {
+    return false; // a number and a facet would have other bytes
+  }
   for (std::size_t i = 0; i < facets; ++i)
   {
     // the normal, which may be no number, and the corners: chance bytes are often far larger

@@ -40,8 +40,8 @@ struct IgesOptions
 ///
 /// Throws Error badInput for an empty model, a coordinate that is not finite, for faces or a solid
 /// a triangle without area, for a solid a surface that is not closed, oriented and manifold. Throws
-/// Error limit where a section needs more than 9,999,999 lines: about 600,000 triangles as a
-/// solid, 1.4 million as faces or nurbs, 2 million as wireframe, 4,999,999 points.
+/// Error limit where a section needs more than 9,999,999 lines: about 800,000 triangles as a
+/// solid, 1.5 million as faces, 1.4 million as nurbs, 2 million as wireframe, 4,999,999 points.
 void writeIges(
   const Model& model, const IgesOptions& options, OutputFile& file, Execution& execution);
 

@@ -14,7 +14,7 @@ namespace scan
 /// faces 510, loops 508, edges 504, points 502, planes 190, lines 110; and the curves of the model.
 ///
 /// Throws Error badInput unless the mesh is closed, oriented and manifold and every triangle has
-/// area; Error limit beyond about 600,000 triangles. Phase "write".
+/// area; Error limit beyond about 800,000 triangles. Phase "write".
 void writeIgesSolid(
   const Model& model, const IgesHeader& header, OutputFile& file, Execution& execution);
 

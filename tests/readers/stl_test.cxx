@@ -134,5 +134,6 @@ TEST(Stl, KnowsItsOwn)
   EXPECT_TRUE(looks(binary(kTwo)));
   EXPECT_TRUE(looks("solid a\n" + kFacet));
   EXPECT_FALSE(looks("ply\nformat ascii 1.0\n"));
+  EXPECT_FALSE(looks(std::string(200, '1')));
   EXPECT_FALSE(looks(std::string(200, '\xff')));
 }
