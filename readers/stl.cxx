@@ -287,27 +287,24 @@ bool looksLikeStl(std::span<const char> head)
   }
   const std::size_t facets =
     std::min<std::uint64_t>(announcedFacets(head), (head.size() - kHeaderBytes) / kFacetBytes);
-  const char* const first = head.data() + kHeaderBytes;
-  const auto isPrintable = [](char c)
-  { return (c >= ' ' && c <= '~') || isBlank(c) || isLineEnd(c); };
-  if (std::all_of(first - sizeof(std::uint32_t), first + kFacetBytes, isPrintable))
-  {
-    return false; // a number and a facet would have other bytes
-  }
+  // Chance bytes are often far too large for coordinates, and hardly ever of length 1 or 0.
+  std::size_t normals = 0;
   for (std::size_t i = 0; i < facets; ++i)
   {
-    // the normal, which may be no number, and the corners: chance bytes are often far larger
-    for (std::size_t k = 0; k <= 3; ++k)
+    const char* const facet = head.data() + kHeaderBytes + i * kFacetBytes;
+    const Vec3 normal = readVector(facet);
+    const double square = dot(normal, normal);
+    normals += normal == Vec3{} || std::abs(square - 1.0) < 0.1 || std::isnan(square) ? 1 : 0;
+    for (std::size_t k = 1; k <= 3; ++k)
     {
-      const Vec3 vector = readVector(first + i * kFacetBytes + 12 * k);
-      const double square = dot(vector, vector);
-      if (square >= 1e30 || (k > 0 && std::isnan(square)))
+      const Vec3 corner = readVector(facet + 12 * k);
+      if (!(dot(corner, corner) < 1e30)) // true for NaN
       {
         return false;
       }
     }
   }
-  return facets > 0;
+  return facets > 0 && 2 * normals >= facets;
 }
 
 } // namespace scan

@@ -23,8 +23,8 @@ namespace scan
 /// "read".
 TriMesh parseStl(std::span<const char> bytes, std::string_view name, Execution& execution);
 
-/// Whether a file that starts with `head` can be an STL file: for the binary form, facets whose
-/// coordinates and normals are below 1e15.
+/// Whether a file that starts with `head` can be an STL file: for the binary form, facets of which
+/// all coordinates are below 1e15 and most normals have the length 0 or 1 or are not a number.
 bool looksLikeStl(std::span<const char> head);
 
 } // namespace scan

@@ -135,5 +135,11 @@ TEST(Stl, KnowsItsOwn)
   EXPECT_TRUE(looks("solid a\n" + kFacet));
   EXPECT_FALSE(looks("ply\nformat ascii 1.0\n"));
   EXPECT_FALSE(looks(std::string(200, '1')));
+  std::string wide; // text of 16 bits
+  for (int i = 0; i < 200; ++i)
+  {
+    wide += std::string("1\0", 2);
+  }
+  EXPECT_FALSE(looks(wide));
   EXPECT_FALSE(looks(std::string(200, '\xff')));
 }
