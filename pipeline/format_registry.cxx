@@ -90,6 +90,11 @@ const Format& formatToRead(const std::string& path, const CancelToken& token)
     // the parser of the promised format says best what is wrong
     const Format* const promised = readableByExtension(extension);
     found = promised != nullptr ? promised : found;
+    const std::string unread = promised == nullptr ? adviceOnUnreadName(extension) : "";
+    if (!unread.empty())
+    {
+      throw Error(ErrorCode::parse, name + ": " + unread);
+    }
   }
   if (found == nullptr)
   {

@@ -12,4 +12,7 @@ namespace scan
 /// compressed with gzip; unpack it first". Empty for all others.
 std::string adviceOnUnread(std::span<const char> head);
 
+/// The same for a file whose content says nothing, by the extension of its name in lower case.
+std::string adviceOnUnreadName(const std::string& extension);
+
 } // namespace scan
