@@ -120,9 +120,14 @@ TEST(Polygon, KeepsAHoleThatIsCutInAlongAnEdge)
 {
   std::vector<Vec3> points = { { 0, 0, 2 }, { 6, 0, 2 }, { 6, 6, 2 }, { 0, 6, 2 } };
   points.insert(points.end(), { { 2, 2, 2 }, { 2, 4, 2 }, { 4, 4, 2 }, { 4, 2, 2 } });
-  const std::vector<Triangle> triangles = trianglesOf(points, { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4 });
-  EXPECT_EQ(triangles.size(), 8U);
-  EXPECT_DOUBLE_EQ(filledArea(points, triangles), 36.0 - 4.0);
+  std::vector<Index> corners = { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4 };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    std::ranges::rotate(corners, corners.begin() + 1);
+    const std::vector<Triangle> triangles = trianglesOf(points, corners);
+    EXPECT_EQ(triangles.size(), 8U) << i;
+    EXPECT_DOUBLE_EQ(filledArea(points, triangles), 36.0 - 4.0) << i;
+  }
 }
 
 TEST(Polygon, WithoutAnInsideBecomesAFan)

@@ -195,8 +195,8 @@ TEST(Gltf, AsksForBuffersInFilesOfTheirOwn)
 {
   std::string json = "{'buffers':[{'uri':'a b.bin','byteLength':36}],'bufferViews':[{'buffer':0,"
                      "'byteLength':36}],'accessors':[{'bufferView':0,'componentType':5126,'count':3"
-                     ",'type':'VEC3'}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],"
-                     "'asset':{'version':'2.0'}}";
+                     ",'type':'VEC3'}],'meshes':[{'primitives':[{'attributes':{'POSITION':0,"
+                     "'NORMAL':0}}]}],'asset':{'version':'2.0'}}";
   std::replace(json.begin(), json.end(), '\'', '"');
   const std::string buffer = raw<float>({ 0, 0, 0, 1, 0, 0, 0, 2, 0 });
   std::string asked;
