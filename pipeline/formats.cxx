@@ -164,7 +164,8 @@ Parameter consistentParameter()
 {
   return { .name = "consistent",
     .defaultValue = true,
-    .help = "mend surfaces: manifold, without triangles that have no area, facing outwards" };
+    .help = "surfaces are mended: manifold, no triangles without area, outwards; "
+            "false writes them as they are" };
 }
 
 Parameter encodingParameter()

@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace scan
 {
 
@@ -14,12 +17,48 @@ namespace
 
 std::string usageOf(const Parameter& parameter)
 {
-  if (std::holds_alternative<bool>(parameter.defaultValue))
+  if (const bool* const isOn = std::get_if<bool>(&parameter.defaultValue))
   {
-    return "--" + parameter.name;
+    return "--" + parameter.name + (*isOn ? "=false" : "");
   }
   return "--" + parameter.name + "=" +
     (parameter.choices.empty() ? std::string("VALUE") : rangeText(parameter));
+}
+
+/// The options of outputs, each once, with the formats that have it.
+std::string outputOptions()
+{
+  struct Option
+  {
+    const Parameter* parameter = nullptr;
+    std::string formats;
+  };
+  std::vector<Option> options;
+  for (const Format& format : formats())
+  {
+    for (const Parameter& parameter : format.writeParameters)
+    {
+      const auto known = std::ranges::find_if(options,
+        [&](const Option& option) {
+          return option.parameter->name == parameter.name &&
+            option.parameter->help == parameter.help;
+        });
+      if (known != options.end())
+      {
+        known->formats += ", " + format.extensions.front();
+      }
+      else
+      {
+        options.push_back({ &parameter, format.extensions.front() });
+      }
+    }
+  }
+  std::string text;
+  for (const auto& [parameter, names] : options)
+  {
+    text += fmt::format("  {:<28} {}: {}\n", usageOf(*parameter), names, parameter->help);
+  }
+  return text;
 }
 
 } // namespace
@@ -44,15 +83,7 @@ std::string programHelp()
   {
     text += fmt::format("  {:<28} {}\n", usageOf(parameter), parameter.help);
   }
-  text += "\noptions of outputs, behind -o FILE:\n";
-  for (const Format& format : formats())
-  {
-    for (const Parameter& parameter : format.writeParameters)
-    {
-      text += fmt::format(
-        "  .{:<4} {:<22} {}\n", format.extensions.front(), usageOf(parameter), parameter.help);
-    }
-  }
+  text += "\noptions of outputs, behind -o FILE:\n" + outputOptions();
   text += fmt::format(
     "\nreads:  {}\nwrites: {}\n\nexamples:\n", readableExtensions(), writableExtensions());
   for (const Operation& operation : operationTable())
