@@ -5,9 +5,9 @@
 #include "filters/base/error.h"
 #include "filters/geometry/bounding_box.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -71,10 +71,12 @@ std::string noteOnRounding(const std::vector<Vec3>& points)
   {
     return {};
   }
-  return fmt::format(
-    "the format holds 7 digits, so that points of this model, which is far from the "
-    "origin, move by up to {:.2g}; write PLY, OBJ or ascii STL to keep them",
-    most);
+  std::array<char, 32> digits = {};
+  const char* const end =
+    std::to_chars(digits.begin(), digits.end(), most, std::chars_format::general, 2).ptr;
+  return "the format holds 7 digits, so that points of this model, which is far from the origin, "
+         "move by up to " +
+    std::string(digits.data(), end) + "; write PLY, OBJ or ascii STL to keep them";
 }
 
 } // namespace scan

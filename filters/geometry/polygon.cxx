@@ -5,12 +5,16 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace scan
@@ -65,7 +69,7 @@ bool isFan(Points points, Corners corners, const Vec3& area)
 {
   for (std::size_t i = 2; i < corners.size(); ++i)
   {
-    if (dot(fanNormal(points, corners, i), area) < 0.0)
+    if (dot(fanNormal(points, corners, i), area) <= 0.0)
     {
       return false;
     }
@@ -86,43 +90,42 @@ Kernel::Point_2 flattened(const Vec3& p, const Vec3& area)
                           : turned(p.x, p.y, area.z > 0.0);
 }
 
+/// The order of points in which each is near the one before.
+std::vector<std::size_t> spatialOrder(const std::vector<Kernel::Point_2>& points)
+{
+  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(points)));
+  return order;
+}
+
 /// The triangulation of a polygon and which of its triangles are inside.
 class Filling
 {
 public:
   /// Throws Triangulation::Intersection_of_constraints_exception when edges cross.
   Filling(Points points, Corners corners, const Vec3& area)
+    : Border(corners)
   {
-    std::vector<Triangulation::Vertex_handle> vertices;
-    Triangulation::Face_handle near;
-    for (const Index corner : corners)
+    this->insertCorners(points, area);
+    if (this->IsFlat && this->Cdt.dimension() == 2)
     {
-      const auto vertex = this->Cdt.insert(flattened(points[corner], area), near);
-      vertex->info() = corner;
-      near = vertex->face();
-      vertices.push_back(vertex);
+      this->insertBorder();
+      this->markSides();
+      this->IsFilled = true;
     }
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      const auto from = vertices[i];
-      const auto to = vertices[(i + 1) % vertices.size()];
-      if (from != to)
-      {
-        ++this->Walks[std::minmax(from->info(), to->info())];
-        this->Cdt.insert_constraint(from, to);
-      }
-    }
-    this->markSides();
   }
 
   void append(std::vector<Triangle>& triangles) const
   {
-    for (const auto face : this->Cdt.finite_face_handles())
+    for (const Face face : this->Cdt.finite_face_handles())
     {
-      if (face->info() == Side::inside)
+      if (this->IsFilled && face->info() == Side::inside)
       {
         triangles.push_back(
-          { face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info() });
+          { this->cornerOf(face, 0), this->cornerOf(face, 1), this->cornerOf(face, 2) });
       }
     }
   }
@@ -130,6 +133,64 @@ public:
 private:
   using Edge = Triangulation::Edge;
   using Face = Triangulation::Face_handle;
+  using Vertex = Triangulation::Vertex_handle;
+
+  Index cornerOf(Face face, int i) const { return this->Border[face->vertex(i)->info()]; }
+
+  /// Corners at the same place become one vertex, that of the first of them in spatial order.
+  void insertCorners(Points points, const Vec3& area)
+  {
+    std::vector<Kernel::Point_2> places;
+    for (const Index corner : this->Border)
+    {
+      places.push_back(flattened(points[corner], area));
+    }
+    this->Vertices.resize(places.size());
+    Face near;
+    for (const std::size_t i : spatialOrder(places))
+    {
+      const std::size_t known = this->Cdt.number_of_vertices();
+      const Vertex vertex = this->Cdt.insert(places[i], near);
+      if (this->Cdt.number_of_vertices() > known)
+      {
+        vertex->info() = static_cast<Index>(i);
+      }
+      else if (points[this->Border[vertex->info()]] != points[this->Border[i]])
+      {
+        this->IsFlat = false; // one above the other
+      }
+      near = vertex->face();
+      this->Vertices[i] = vertex;
+    }
+  }
+
+  void insertBorder()
+  {
+    const auto forEachEdge = [&](const auto& visit)
+    {
+      for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+      {
+        const Vertex next = this->Vertices[(i + 1) % this->Vertices.size()];
+        if (this->Vertices[i] != next)
+        {
+          visit(this->Vertices[i], next);
+        }
+      }
+    };
+    forEachEdge([&](Vertex from, Vertex to) { this->Cdt.insert_constraint(from, to); });
+    forEachEdge(
+      [&](Vertex from, Vertex to)
+      {
+        // other corners may lie on an edge of the border and divide it
+        Face face;
+        int i = 0;
+        for (Vertex next; from != to && this->Cdt.includes_edge(from, to, next, face, i);
+             from = next)
+        {
+          ++this->Walks[std::minmax(from->info(), next->info())];
+        }
+      });
+  }
 
   /// From the infinite face inwards; each border is a change of sides.
   void markSides()
@@ -170,7 +231,11 @@ private:
     return walks == this->Walks.end() || walks->second % 2 == 1;
   }
 
+  Corners Border;
   Triangulation Cdt;
+  bool IsFilled = false;
+  bool IsFlat = true;                           // no corner lies above another
+  std::vector<Vertex> Vertices;                 // of the corners; their info is a place in Border
   std::map<std::pair<Index, Index>, int> Walks; // how often the border takes an edge
 };
 

@@ -130,10 +130,43 @@ TEST(Polygon, KeepsAHoleThatIsCutInAlongAnEdge)
   }
 }
 
+TEST(Polygon, KeepsAHoleWhoseSlitHasACornerOnOneSide)
+{
+  std::vector<Vec3> points = { { 0, 0, 2 }, { 6, 0, 2 }, { 6, 6, 2 }, { 0, 6, 2 } };
+  points.insert(points.end(), { { 2, 2, 2 }, { 2, 4, 2 }, { 4, 4, 2 }, { 4, 2, 2 }, { 1, 1, 2 } });
+  const std::vector<Triangle> triangles = trianglesOf(points, { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4, 8 });
+  EXPECT_DOUBLE_EQ(filledArea(points, triangles), 36.0 - 4.0);
+}
+
+TEST(Polygon, HasNoFlatTriangleWhereItNeedsNone)
+{
+  const std::vector<Vec3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 },
+    { 0, 2, 0 } };
+  const std::vector<Triangle> triangles = trianglesOf(points);
+  EXPECT_EQ(triangles.size(), 3U);
+  EXPECT_TRUE(std::ranges::all_of(
+    triangles, [&](const Triangle& t) { return length(areaVector(points, t)) > 0.1; }));
+}
+
+TEST(Polygon, KeepsCornersThatLieAboveOthers)
+{
+  const std::vector<Vec3> points = { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 2, 1, 0 },
+    { 2, 1, 5 }, { 0, 4, 0 } };
+  std::vector<bool> isUsed(points.size());
+  for (const Triangle& t : trianglesOf(points))
+  {
+    isUsed[t[0]] = isUsed[t[1]] = isUsed[t[2]] = true;
+  }
+  EXPECT_EQ(std::ranges::count(isUsed, true), 6);
+}
+
 TEST(Polygon, WithoutAnInsideBecomesAFan)
 {
   const std::vector<Vec3> line = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } };
   EXPECT_EQ(trianglesOf(line).size(), 2U);
+  // a line whose area is not 0 after rounding
+  EXPECT_EQ(
+    trianglesOf({ { 1, 5, 0 }, { 0, 0, 0 }, { -0.06, -0.3, 0 }, { 0.48, 2.4, 0 } }).size(), 2U);
   // a pentagram crosses itself
   std::vector<Vec3> crossing;
   for (int i = 0; i < 5; ++i)
@@ -151,16 +184,33 @@ TEST(Polygon, WithoutAnInsideBecomesAFan)
 
 TEST(Polygon, OfManyCornersIsNoLongWork)
 {
-  // a comb: quadratic work would take minutes
-  constexpr int kTeeth = 50000;
-  std::vector<Vec3> points = { { 0, -1, 0 }, { kTeeth, -1, 0 } };
-  for (int i = kTeeth; i > 0; --i)
+  // quadratic work would take minutes
+  constexpr int kMany = 50000;
+  constexpr double kStep = std::numbers::pi / kMany;
+  std::vector<Vec3> comb = { { 0, -1, 0 }, { kMany, -1, 0 } };
+  std::vector<Vec3> crescent;
+  std::vector<Vec3> zigzag;
+  for (int i = kMany; i > 0; --i)
   {
-    points.push_back({ double(i), 0, 0 });
-    points.push_back({ i - 0.5, 3, 0 });
+    comb.push_back({ double(i), 0, 0 });
+    comb.push_back({ i - 0.5, 3, 0 });
+    crescent.push_back({ std::cos(kStep * i), std::sin(kStep * i), 0 });
+    zigzag.push_back({ double(i), double(i % 2), 0 });
   }
-  points.push_back({ 0, 0, 0 });
-  const std::vector<Triangle> triangles = trianglesOf(points);
-  EXPECT_EQ(triangles.size(), points.size() - 2);
-  EXPECT_NEAR(filledArea(points, triangles), borderArea(points), 1e-6);
+  comb.push_back({ 0, 0, 0 });
+  crescent.push_back({ 1, 0, 0 });
+  for (int i = 1; i <= kMany; ++i)
+  {
+    zigzag.push_back({ double(i), i % 2 + 0.25, 0 });
+  }
+  for (int i = 1; i < kMany; ++i)
+  {
+    crescent.push_back({ std::cos(kStep * i), 0.9 * std::sin(kStep * i), 0 });
+  }
+  for (const auto& points : { comb, crescent, zigzag })
+  {
+    const std::vector<Triangle> triangles = trianglesOf(points);
+    EXPECT_EQ(triangles.size(), points.size() - 2);
+    EXPECT_NEAR(filledArea(points, triangles), borderArea(points), 1e-6);
+  }
 }

@@ -415,6 +415,30 @@ TEST_P(WrittenFormat, KeepsPlacesColorsAndNormals)
   }
 }
 
+TEST_P(WrittenFormat, KeepsLargeCoordinates)
+{
+  const Format& format = GetParam();
+  if (format.name == "3D Studio" || format.makeReader == nullptr)
+  {
+    GTEST_SKIP() << "float32 by its definition, or read with other programs only";
+  }
+  const Vec3 far = { 5e6 + 0.123456789, -4e6 - 1.0 / 3.0, 3e6 }; // metres
+  Model model = moved(grid(5, 4, true), far);
+  model = format.writes.triangles ? model : onlyPoints(model);
+  model.millimetresPerUnit = 1000.0;
+  const bool isStl = format.name == "STL";
+  const std::optional<Model> back = thereAndBack(format, model,
+    isStl ? ParameterValues{ { "encoding", std::string("ascii") } } : ParameterValues());
+  ASSERT_TRUE(back);
+  const double scale = back->millimetresPerUnit > 0.0 ? back->millimetresPerUnit / 1000.0 : 1.0;
+  const Summary found = summaryOf(moved(*back, {}, scale));
+  const Summary expected = summaryOf(model);
+  EXPECT_EQ(found.points, expected.points);
+  const Vec3 low = found.lowest - expected.lowest;
+  const Vec3 high = found.highest - expected.highest;
+  EXPECT_LE(std::sqrt(std::max(dot(low, low), dot(high, high))), 1e-9 * 5e6);
+}
+
 TEST_P(WrittenFormat, SaysWhatItLeavesOut)
 {
   const Format& format = GetParam();
