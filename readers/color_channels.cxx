@@ -41,14 +41,14 @@ std::vector<Color> ColorChannels::take(std::size_t points)
   std::vector<Color> colors;
   if (this->Largest >= 0.0)
   {
-    const double scale = this->Largest > 1.0 ? 1.0 : 255.0;
+    constexpr double kRounded = 1.01;
+    const double scale = this->Largest > kRounded ? 1.0 : 255.0;
+    const auto channel = [&](float value) { return toChannel(std::min(value * scale, 255.0)); };
     colors.reserve(points);
     for (const auto& [red, green, blue] : this->Values)
     {
       const bool isMissing = red != red;
-      colors.push_back(isMissing
-          ? kNoColor
-          : Color{ toChannel(red * scale), toChannel(green * scale), toChannel(blue * scale) });
+      colors.push_back(isMissing ? kNoColor : Color{ channel(red), channel(green), channel(blue) });
     }
     colors.resize(points, kNoColor);
   }

@@ -11,8 +11,8 @@
 namespace scan
 {
 
-/// Gathers colours whose range is 0 to 1, or 0 to 255 when any channel exceeds 1: which one is
-/// known only at the end of the file.
+/// Gathers colours whose range is 0 to 1, or 0 to 255 when any channel exceeds 1 by more than
+/// rounding: which one is known only at the end of the file.
 class ColorChannels
 {
 public:

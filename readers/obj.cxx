@@ -121,11 +121,20 @@ private:
     return stop == this->Text.end() || isLineEnd(*stop) ? stop : this->readColor(stop);
   }
 
-  /// The colour of the last vertex; a weight or a comment may stand there, too.
+  /// The colour of the last vertex; a weight, also ahead of it, or a comment may stand there, too.
   const char* readColor(const char* at)
   {
     Vec3 color;
-    const char* const stop = this->readThree(at, color);
+    const char* stop = this->readThree(at, color);
+    double further = 0.0;
+    const char* const next = stop != nullptr ? skipGap(stop, this->Text.end()) : nullptr;
+    const char* const last =
+      next != nullptr ? parseNumber(next, this->Text.end(), further) : nullptr;
+    if (last != nullptr && this->isWordEnd(last))
+    {
+      color = { color.y, color.z, further };
+      stop = last;
+    }
     if (stop != nullptr)
     {
       this->Colors.skipTo(this->Mesh.points.size() - 1);
@@ -177,7 +186,18 @@ private:
     {
       this->Text.failAtLine(at - 1, "a face without corners");
     }
-    appendPolygon(this->Mesh.triangles, this->Mesh.points, this->Face);
+    const bool isAhead = std::ranges::any_of(
+      this->Face, [&](Index corner) { return corner >= this->Mesh.points.size(); });
+    if (isAhead && this->Face.size() > 3)
+    {
+      std::vector<Index>& corners = this->Waiting.corners;
+      corners.insert(corners.end(), this->Face.begin(), this->Face.end());
+      this->Waiting.endLine();
+    }
+    else
+    {
+      appendPolygon(this->Mesh.triangles, this->Mesh.points, this->Face);
+    }
     return at;
   }
 
@@ -275,6 +295,7 @@ private:
     {
       this->Text.fail("no vertex found; an OBJ file has lines 'v x y z'");
     }
+    appendPolygons(this->Mesh.triangles, this->Mesh.points, this->Waiting);
     this->Check.finish(this->Text, this->Mesh, CoordinateCheck::Place::line);
   }
 
@@ -300,6 +321,7 @@ private:
   Execution& Run;
   Model Mesh;
   std::vector<Index> Face; // the corners of the last one
+  Polylines Waiting;       // faces ahead of their vertices
   ColorChannels Colors;
   CoordinateCheck Check;
   bool HasPointNormals = true; // as far as known, normals and vertices have the same indices

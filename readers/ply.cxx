@@ -60,6 +60,7 @@ public:
         this->forEach(element, [&] { this->skipAll(element); });
       }
     }
+    appendPolygons(this->Mesh.triangles, this->Mesh.points, this->Waiting);
     this->Check.finish(this->Input, this->Mesh,
       this->Header.encoding == PlyEncoding::ascii ? CoordinateCheck::Place::line
                                                   : CoordinateCheck::Place::byte);
@@ -244,6 +245,13 @@ private:
     {
       this->Polygon.push_back(this->vertexIndex(this->Values.integer(list.type)));
     }
+    if (length > 3 && this->Mesh.points.size() < this->VertexCount) // faces ahead of the vertices
+    {
+      std::vector<Index>& corners = this->Waiting.corners;
+      corners.insert(corners.end(), this->Polygon.begin(), this->Polygon.end());
+      this->Waiting.endLine();
+      return;
+    }
     this->makeRoom(length, this->Values.left(list.type));
     appendPolygon(this->Mesh.triangles, this->Mesh.points, this->Polygon);
   }
@@ -356,6 +364,7 @@ private:
   std::uint64_t VertexCount = 0;
   Model Mesh;
   std::vector<Index> Polygon; // the corners of the last one
+  Polylines Waiting;          // polygons ahead of their points
   CoordinateCheck Check;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/ply_vertices.h"
 
+#include <algorithm>
+
 namespace scan
 {
 
@@ -27,6 +29,10 @@ PlyVertices::PlyVertices(const Source& source, const PlyElement& element, Model&
   if (this->HasRealColors)
   {
     this->Channels.reserve(element.count);
+  }
+  else if (this->HasWideColors)
+  {
+    this->Wide.reserve(element.count);
   }
   else if (this->HasColors)
   {
@@ -58,12 +64,14 @@ bool PlyVertices::findColors(const PlyElement& element)
 {
   const bool hasColors = this->findGroup(element, { "red", "green", "blue" }, color) ||
     this->findGroup(element, { "diffuse_red", "diffuse_green", "diffuse_blue" }, color);
+  this->HasWideColors = hasColors;
   for (std::size_t i = 0; i < this->Places.size(); ++i)
   {
     const PlyType type = element.properties[i].type;
     const bool isColor = this->Places[i] >= color && this->Places[i] < ignored;
     this->HasRealColors =
       this->HasRealColors || (isColor && (type == PlyType::float32 || type == PlyType::float64));
+    this->HasWideColors = this->HasWideColors && (!isColor || type == PlyType::uint16);
   }
   return hasColors;
 }
@@ -93,6 +101,22 @@ void PlyVertices::finish()
     {
       model.colors.resize(this->Before, kNoColor);
       model.colors.insert(model.colors.end(), found.begin(), found.end());
+    }
+  }
+  if (!this->Wide.empty())
+  {
+    std::uint16_t largest = 0;
+    for (const auto& [red, green, blue] : this->Wide)
+    {
+      largest = std::max({ largest, red, green, blue });
+    }
+    const unsigned shift = largest > 255 ? 8 : 0;
+    model.colors.resize(this->Before, kNoColor);
+    for (const auto& wide : this->Wide)
+    {
+      const auto channel = [&](std::size_t i)
+      { return static_cast<std::uint8_t>(wide[i] >> shift); };
+      model.colors.push_back({ channel(0), channel(1), channel(2) });
     }
   }
   if (!model.colors.empty())

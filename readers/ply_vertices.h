@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace scan
@@ -77,6 +78,12 @@ private:
       this->Channels.add(red, green, blue);
       return;
     }
+    if (this->HasWideColors)
+    {
+      const auto wide = [](double channel) { return static_cast<std::uint16_t>(channel); };
+      this->Wide.push_back({ wide(red), wide(green), wide(blue) });
+      return;
+    }
     const bool isColor = isChannel(red) && isChannel(green) && isChannel(blue);
     this->Result.colors.push_back(
       isColor ? Color{ toChannel(red), toChannel(green), toChannel(blue) } : kNoColor);
@@ -90,7 +97,9 @@ private:
   bool HasNormals = false;
   bool HasColors = false;
   bool HasRealColors = false; // not in bytes or other integers
+  bool HasWideColors = false; // in integers of 16 bits, of which some files use the lower 8 only
   ColorChannels Channels;
+  std::vector<std::array<std::uint16_t, 3>> Wide;
 };
 
 } // namespace scan

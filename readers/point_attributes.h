@@ -13,11 +13,11 @@ namespace scan
 /// What points without a colour get in a file where others have one.
 inline constexpr Color kNoColor = { 255, 255, 255 };
 
-/// The normal at length 1; 0 when its length is 0 or not finite.
+/// The normal at length 1; 0 when its length is 0, not finite, or too small to be divided by.
 inline Vec3 unitOrZero(const Vec3& normal)
 {
   const double length = std::hypot(normal.x, normal.y, normal.z);
-  return length > 0.0 && std::isfinite(length)
+  return std::isnormal(length)
     ? Vec3{ normal.x / length, normal.y / length, normal.z / length }
     : Vec3{};
 }

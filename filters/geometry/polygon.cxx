@@ -267,6 +267,15 @@ void appendPolygon(
   }
 }
 
+void appendPolygons(
+  std::vector<Triangle>& triangles, std::span<const Vec3> points, const Polylines& polygons)
+{
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+  {
+    appendPolygon(triangles, points, polygons[i]);
+  }
+}
+
 void appendStrip(std::vector<Triangle>& triangles, std::span<const Index> corners)
 {
   for (std::size_t i = 2; i < corners.size(); ++i)

@@ -22,6 +22,10 @@ namespace scan
 void appendPolygon(
   std::vector<Triangle>& triangles, std::span<const Vec3> points, std::span<const Index> corners);
 
+/// The same for several polygons, each a line through its corners.
+void appendPolygons(
+  std::vector<Triangle>& triangles, std::span<const Vec3> points, const Polylines& polygons);
+
 /// Appends the triangles of a strip: its corners by threes, every second triple turned over.
 void appendStrip(std::vector<Triangle>& triangles, std::span<const Index> corners);
 

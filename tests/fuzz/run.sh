@@ -16,7 +16,8 @@ mkdir -p build/fuzz/broken
 export ASAN_OPTIONS="quarantine_size_mb=16:malloc_context_size=10" UBSAN_OPTIONS="print_stacktrace=1"
 printf '%s\n' "$@" | xargs -P 2 -I NAME sh -c '
   mkdir -p build/fuzz/grown/NAME
-  nice build/fuzz/fuzz/NAME -max_total_time='"$seconds"' -timeout=5 -rss_limit_mb=1024 \
+  case NAME in step | iges) most=60 ;; *) most=5 ;; esac # seconds: small CAD files may be much work
+  nice build/fuzz/fuzz/NAME -max_total_time='"$seconds"' -timeout=$most -rss_limit_mb=1024 \
     -malloc_limit_mb=256 -max_len=6000 -print_final_stats=1 \
     -artifact_prefix=build/fuzz/broken/NAME- \
     build/fuzz/grown/NAME tests/fuzz/corpus/NAME > build/fuzz/NAME.log 2>&1 ||

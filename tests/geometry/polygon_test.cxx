@@ -182,6 +182,37 @@ TEST(Polygon, WithoutAnInsideBecomesAFan)
   EXPECT_EQ(trianglesOf(broken).size(), 2U);
 }
 
+TEST(Polygon, OfAnyCornersBecomesTrianglesOfThem)
+{
+  constexpr unsigned kSeed = 99;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  std::mt19937 random(kSeed);
+  std::uniform_int_distribution<int> place(0, 3);
+  for (int round = 0; round < 20000; ++round)
+  {
+    std::vector<Vec3> points(3 + static_cast<std::size_t>(round % 9));
+    for (Vec3& p : points)
+    {
+      p = { 0.1 * place(random), 0.3 * place(random), round % 2 * 0.7 * place(random) };
+    }
+    std::vector<Index> corners(points.size() + 1);
+    for (Index& corner : corners)
+    {
+      corner = static_cast<Index>(random() % points.size());
+    }
+    const std::vector<Triangle> triangles = trianglesOf(points, corners);
+    ASSERT_FALSE(triangles.empty()) << round;
+    ASSERT_LE(triangles.size(), corners.size() - 2) << round;
+    ASSERT_TRUE(std::ranges::all_of(triangles,
+      [&](const Triangle& t)
+      {
+        return std::ranges::all_of(
+          t, [&](Index i) { return std::ranges::find(corners, i) != corners.end(); });
+      }))
+      << round;
+  }
+}
+
 TEST(Polygon, OfManyCornersIsNoLongWork)
 {
   // quadratic work would take minutes

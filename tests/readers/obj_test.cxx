@@ -49,6 +49,17 @@ TEST(Obj, FillsConcavePolygonsInsideTheirBorder)
     scan::test::areaOf(parse("v 0 0 0\nv 4 2 0\nv 1 2 0\nv 0 4 0\nf 2 3 4 1\n")), 5.0);
 }
 
+TEST(Obj, FillsPolygonsAheadOfTheirVertices)
+{
+  EXPECT_DOUBLE_EQ(
+    scan::test::areaOf(parse("f 2 3 4 1\nv 0 0 0\nv 4 2 0\nv 1 2 0\nv 0 4 0\n")), 5.0);
+}
+
+TEST(Obj, SkipsAWeightAheadOfAColour)
+{
+  EXPECT_EQ(parse("v 1 2 3 1 10 20 30\n").colors, (std::vector<scan::Color>{ { 10, 20, 30 } }));
+}
+
 TEST(Obj, LeavesOutPointsThatAreNoNumberWithTheirColours)
 {
   const Model model = parse("v 0 0 0 1 2 3\nv nan 0 0 4 5 6\nv 1 1 1 7 8 9\n\x1a");

@@ -120,8 +120,9 @@ TEST(Off, TakesDarkColorsOfIntegersForWhatTheyAre)
 
 TEST(Off, ReadsNormalsAtLengthOne)
 {
-  const Model model = parse("NOFF\n3 0 0\n0 0 0 0 0 2\n1 0 0 0 0 0\n1 1 1 nan 0 0\n");
-  EXPECT_EQ(model.normals, (std::vector<Vec3>{ { 0, 0, 1 }, {}, {} }));
+  const Model model = parse("NOFF\n4 0 0\n0 0 0 0 0 2\n1 0 0 0 0 0\n1 1 1 nan 0 0\n"
+                            "1 1 1 5e-324 5e-324 0\n");
+  EXPECT_EQ(model.normals, (std::vector<Vec3>{ { 0, 0, 1 }, {}, {}, {} }));
 }
 
 TEST(Off, ReadsEveryCombinationOfKeywords)

@@ -171,6 +171,36 @@ TEST(Ply, FillsConcavePolygonsInsideTheirBorder)
   EXPECT_DOUBLE_EQ(scan::test::areaOf(parse(text)), 5.0);
 }
 
+TEST(Ply, FillsPolygonsAheadOfTheirVertices)
+{
+  const std::string text = kAscii +
+    "element face 2\nproperty list int int vertex_indices\nelement vertex 4\n" + kXyz +
+    "end_header\n4 1 2 3 0\n3 0 1 2\n0 0 0\n4 2 0\n1 2 0\n0 4 0\n";
+  EXPECT_DOUBLE_EQ(scan::test::areaOf(parse(text)), 5.0 + 3.0);
+}
+
+TEST(Ply, ReadsColorsOf16Bits)
+{
+  const auto colors = [](const std::string& first, const std::string& second)
+  {
+    return parse(kAscii + "element vertex 2\n" + kXyz +
+      "property ushort red\nproperty ushort green\nproperty ushort blue\nend_header\n0 0 0 " +
+      first + "\n1 1 1 " + second + "\n")
+      .colors;
+  };
+  EXPECT_EQ(
+    colors("65535 0 300", "256 255 32768"), (std::vector<Color>{ { 255, 0, 1 }, { 1, 0, 128 } }));
+  EXPECT_EQ(colors("255 0 7", "1 2 3"), (std::vector<Color>{ { 255, 0, 7 }, { 1, 2, 3 } }));
+}
+
+TEST(Ply, TakesAChannelSlightlyAboveOneForOne)
+{
+  const std::string text = kAscii + "element vertex 1\n" + kXyz +
+    "property float red\nproperty float green\nproperty float blue\nend_header\n0 0 0 0 0.5 "
+    "1.0001\n";
+  EXPECT_EQ(parse(text).colors, (std::vector<Color>{ { 0, 128, 255 } }));
+}
+
 TEST(Ply, ReadsHeadersBehindAByteOrderMark)
 {
   const std::string text =
