@@ -345,10 +345,10 @@ bool looksLikeDigibotics(std::span<const char> head)
     hasPoint = hasPoint || kind == LineKind::point;
     if (kind == LineKind::words || kind == LineKind::comment)
     {
+      // other lists may have comments about anything, and any words above the points
       const WordsOfLine words = readWords(at, end);
-      // a comment above the points may be about anything
-      hasMark = hasMark || words.namesProgram ||
-        (words.startsSlice && (hasPoint || kind == LineKind::words));
+      hasMark =
+        hasMark || words.namesProgram || (words.startsSlice && hasPoint && kind == LineKind::words);
     }
   }
   return hasPoint && hasMark;

@@ -41,6 +41,11 @@ bool isNormal(const FurtherColumns& line, std::size_t column)
   return v == Vec3{} || std::abs(std::hypot(v.x, v.y, v.z) - 1.0) <= kUnitTolerance;
 }
 
+bool isInteger(const Vec3& v)
+{
+  return v.x == std::trunc(v.x) && v.y == std::trunc(v.y) && v.z == std::trunc(v.z);
+}
+
 /// What starts a comment or quotes a name.
 bool isMark(char c)
 {
@@ -144,12 +149,13 @@ std::size_t PointColumns::count() const
 
 Color PointColumns::colorOf(const FurtherColumns& columns) const
 {
-  if (columns.count < this->color + 3 || !isColor(columns, this->color))
+  if (columns.count < this->color + 3)
   {
     return kNoColor;
   }
-  const Vec3 found = vectorAt(columns, this->color);
-  return { toChannel(found.x), toChannel(found.y), toChannel(found.z) };
+  const Vec3 found = vectorAt(columns, this->color) * this->colorScale;
+  const bool isColor = isChannel(found.x) && isChannel(found.y) && isChannel(found.z);
+  return isColor ? Color{ toChannel(found.x), toChannel(found.y), toChannel(found.z) } : kNoColor;
 }
 
 Vec3 PointColumns::normalOf(const FurtherColumns& columns) const
@@ -161,24 +167,41 @@ Vec3 PointColumns::normalOf(const FurtherColumns& columns) const
 std::vector<std::string> readColumnNames(const char* line, const char* end)
 {
   std::vector<std::string> names;
+  const auto isGap = [](char c) { return isSeparator(c) || isMark(c); };
   const char* const stop = findLineEnd(line, end);
   while (line != stop)
   {
-    const char* const start =
-      std::find_if_not(line, stop, [](char c) { return isSeparator(c) || isMark(c); });
-    line = std::find_if(start, stop, [](char c) { return isSeparator(c) || isMark(c); });
+    const char* const start = std::find_if_not(line, stop, isGap);
+    line = std::find_if(start, stop, isGap);
     if (start != line)
     {
       names.push_back(lowerCase({ start, static_cast<std::size_t>(line - start) }));
     }
   }
-  const bool isHeader = names.size() > 3 && names[0] == "x" && names[1] == "y" && names[2] == "z";
-  names.erase(names.begin(), isHeader ? names.begin() + 3 : names.end());
+  for (const char* const axis : { "x", "y", "z" })
+  {
+    if (std::ranges::find(names, axis) == names.end())
+    {
+      return {};
+    }
+  }
   return names;
 }
 
+std::size_t countColumns(const char* line, const char* end)
+{
+  std::size_t count = 0;
+  for (line = skipBlanks(line, end); line != end && !isLineEnd(*line) && !isComment(line, end);
+       line = skipSeparator(line, end))
+  {
+    line = std::find_if(line, end, [](char c) { return isSeparator(c) || isLineEnd(c); });
+    ++count;
+  }
+  return count;
+}
+
 PointColumns findColumns(
-  const std::vector<std::string>& names, const std::vector<FurtherColumns>& lines)
+  std::span<const std::string> names, const std::vector<FurtherColumns>& lines)
 {
   const auto columnOf = [&](const std::array<const char*, 3>& triple)
   {
@@ -187,17 +210,37 @@ PointColumns findColumns(
     return found != names.end() && column + 3 <= FurtherColumns::kMost ? column
                                                                        : PointColumns::kNone;
   };
-  PointColumns columns;
-  columns.color = std::min(columnOf({ "r", "g", "b" }), columnOf({ "red", "green", "blue" }));
-  columns.normal = columnOf({ "nx", "ny", "nz" });
-  for (const FurtherColumns& line : lines)
+  // in the range 0 to `most`, or anywhere, in most of the lines
+  const auto isUsual = [&](std::size_t column, double least, double most)
   {
-    const bool isComplete = line.count >= columns.count();
-    const bool hasColor = columns.hasColors() && isComplete && isColor(line, columns.color);
-    const bool hasNormal = columns.hasNormals() && isComplete && isNormal(line, columns.normal);
-    columns.color = hasColor || !isComplete ? columns.color : PointColumns::kNone;
-    columns.normal = hasNormal || !isComplete ? columns.normal : PointColumns::kNone;
+    const auto agrees = [&](const FurtherColumns& line)
+    {
+      const Vec3 v = column + 3 <= line.count ? vectorAt(line, column) : Vec3{ NAN, NAN, NAN };
+      return std::min({ v.x, v.y, v.z }) >= least && std::max({ v.x, v.y, v.z }) <= most;
+    };
+    return column != PointColumns::kNone &&
+      2 * std::ranges::count_if(lines, agrees) >= static_cast<std::ptrdiff_t>(lines.size());
+  };
+  const std::size_t real = columnOf({ "rf", "gf", "bf" });
+  const std::size_t color =
+    std::min(columnOf({ "r", "g", "b" }), columnOf({ "red", "green", "blue" }));
+  const std::size_t normal = columnOf({ "nx", "ny", "nz" });
+  const bool isFraction = isUsual(color, 0.0, 1.0) &&
+    std::ranges::any_of(
+      lines, [&](const FurtherColumns& line) { return !isInteger(vectorAt(line, color)); });
+  PointColumns columns;
+  if (isUsual(color, 0.0, 255.0))
+  {
+    columns.color = color;
+    columns.colorScale = isFraction ? 255.0 : 1.0;
   }
+  else if (isUsual(real, 0.0, 1.0))
+  {
+    columns.color = real;
+    columns.colorScale = 255.0;
+  }
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  columns.normal = isUsual(normal, -kLargest, kLargest) ? normal : PointColumns::kNone;
   return columns;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct PointColumns
 
   std::size_t color = kNone;  ///< the column of red, counted from 0 behind z
   std::size_t normal = kNone; ///< the column of nx
+  double colorScale = 1.0;    ///< what makes channels of 0 to 255 of the numbers
 
   bool hasColors() const { return this->color != kNone; }
   bool hasNormals() const { return this->normal != kNone; }
@@ -39,21 +41,24 @@ struct PointColumns
   /// How many columns have to be read.
   std::size_t count() const;
 
-  /// White where the columns are not three integers of 0 to 255.
+  /// White where the columns are not three numbers of that range.
   Color colorOf(const FurtherColumns& columns) const;
 
   /// Of length 1, or 0 0 0 where the columns are not three numbers.
   Vec3 normalOf(const FurtherColumns& columns) const;
 };
 
-/// The names, in lower case, of the columns behind x y z that a line above the points gives,
-/// perhaps as a comment; empty when it does not start with those three.
+/// The words of a line, in lower case and without what starts a comment or quotes, when x, y and z
+/// are among them: it may name the columns. Else empty.
 std::vector<std::string> readColumnNames(const char* line, const char* end);
 
-/// What columns of these names hold: r g b or red green blue, nx ny nz. Only what the first lines
-/// agree with.
+/// The number of columns of a line.
+std::size_t countColumns(const char* line, const char* end);
+
+/// What columns of these names, which are those behind z, hold: r g b or red green blue of 0 to 255
+/// or 0 to 1, rf gf bf of 0 to 1, nx ny nz of any length. Not when most of the lines disagree.
 PointColumns findColumns(
-  const std::vector<std::string>& names, const std::vector<FurtherColumns>& lines);
+  std::span<const std::string> names, const std::vector<FurtherColumns>& lines);
 
 /// Finds out what columns hold from those of the first lines, as readers/points_text.h says.
 PointColumns guessColumns(const std::vector<FurtherColumns>& lines);

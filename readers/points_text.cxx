@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scan
@@ -78,8 +80,20 @@ bool hasDecimalCommas(const char* line, const char* end)
   return hasComma;
 }
 
+/// Behind the columns ahead of x, as far as there are such on the line.
+const char* skipColumns(const char* at, const char* end, std::size_t count)
+{
+  for (; count > 0 && at != end && !isLineEnd(*at); --count)
+  {
+    at = std::find_if(at, end, [](char c) { return isSeparator(c) || isLineEnd(c); });
+    at = skipSeparator(at, end);
+  }
+  return at;
+}
+
 /// Reads the line at `at`, which is not the end, and leaves `at` in it, behind what was read.
-LineKind readLine(const char*& at, const char* end, Vec3& point)
+/// @param ahead the number of columns ahead of x
+LineKind readLine(const char*& at, const char* end, std::size_t ahead, Vec3& point)
 {
   at = skipBlanks(at, end);
   if (at == end || isLineEnd(*at) || isComment(at, end))
@@ -90,6 +104,7 @@ LineKind readLine(const char*& at, const char* end, Vec3& point)
   {
     at = skipBlanks(at + 1, end);
   }
+  at = skipColumns(at, end, ahead);
   const char* const x = parseColumn(at, end, point.x);
   if (x == nullptr)
   {
@@ -124,33 +139,61 @@ LineKind readLine(const char*& at, const char* end, Vec3& point)
       "; correct or remove the line");
 }
 
-/// Where the points start.
+/// Where the points start, and what the header says about them.
 struct Start
 {
-  const char* points = nullptr; // the first line that is one
-  const char* header = nullptr; // the line before, if there is one
+  const char* points = nullptr;
+  std::vector<std::string> names; // of all columns; empty when the header does not say
+  std::size_t ahead = 0;          // columns ahead of x
+
+  std::span<const std::string> furtherNames() const
+  {
+    return std::span(this->names).subspan(this->names.empty() ? 0 : this->ahead + 3);
+  }
 };
+
+/// The number of columns ahead of x. Throws Error parse when y and z do not follow.
+std::size_t columnsAhead(
+  const Source& source, const char* line, const std::vector<std::string>& names)
+{
+  const auto x = std::ranges::find(names, "x");
+  if (names.end() - x < 3 || x[1] != "y" || x[2] != "z")
+  {
+    source.failAtLine(
+      line, "the columns of x, y and z do not follow each other in this order; export them so");
+  }
+  return static_cast<std::size_t>(x - names.begin());
+}
 
 Start skipHeader(const Source& source)
 {
   Start start;
-  const char* line = skipByteOrderMark(source);
-  while (line != source.end())
+  const char* header = nullptr; // the last line that may name the columns
+  const char* const end = source.end();
+  for (const char* line = skipByteOrderMark(source); line != end; line = nextLine(line, end))
   {
+    // words in a sentence are hardly as many as the columns
+    const bool isNamed = header != nullptr && countColumns(line, end) == start.names.size();
+    start.ahead = isNamed ? columnsAhead(source, header, start.names) : 0;
     const char* at = line;
     Vec3 point;
-    const LineKind kind = readLine(at, source.end(), point);
-    if (kind == LineKind::broken)
-    {
-      failAtBrokenLine(source, line);
-    }
+    const LineKind kind = readLine(at, end, start.ahead, point);
     if (kind == LineKind::point)
     {
       start.points = line;
+      start.names = isNamed ? std::move(start.names) : std::vector<std::string>();
       return start;
     }
-    start.header = line;
-    line = nextLine(at, source.end());
+    std::vector<std::string> names = readColumnNames(line, end);
+    if (!names.empty())
+    {
+      header = line;
+      start.names = std::move(names);
+    }
+    else if (kind == LineKind::broken)
+    {
+      failAtBrokenLine(source, line);
+    }
   }
   source.fail("no point found; a vertex list has lines that start with three numbers");
 }
@@ -171,7 +214,7 @@ PointColumns findColumns(const Start& start, const char* end, bool isLettered)
   while (at < stop && lines.size() < kGuessPoints)
   {
     Vec3 ignored;
-    const LineKind kind = readLine(at, end, ignored);
+    const LineKind kind = readLine(at, end, start.ahead, ignored);
     if (kind == LineKind::point)
     {
       lines.push_back(readFurtherColumns(at, end, FurtherColumns::kMost));
@@ -182,9 +225,7 @@ PointColumns findColumns(const Start& start, const char* end, bool isLettered)
     }
     at = nextLine(at, end);
   }
-  const auto names =
-    start.header != nullptr ? readColumnNames(start.header, end) : std::vector<std::string>();
-  return names.empty() ? guessColumns(lines) : findColumns(names, lines);
+  return start.names.empty() ? guessColumns(lines) : findColumns(start.furtherNames(), lines);
 }
 
 /// Reads the columns behind z and moves `at` behind them.
@@ -202,7 +243,7 @@ void readAttributes(Chunk& chunk, const char*& at, const PointColumns& columns)
 }
 
 /// Never throws: the storage is reserved.
-void readChunk(Chunk& chunk, bool isLettered, const PointColumns& columns)
+void readChunk(Chunk& chunk, const Start& start, bool isLettered, const PointColumns& columns)
 {
   const bool hasAttributes = columns.count() > 0;
   const char* at = chunk.begin;
@@ -210,7 +251,12 @@ void readChunk(Chunk& chunk, bool isLettered, const PointColumns& columns)
   {
     const char* const line = at;
     Vec3 point;
-    const LineKind kind = readLine(at, chunk.end, point);
+    LineKind kind = readLine(at, chunk.end, start.ahead, point);
+    if (start.ahead > 0 && countColumns(line, chunk.end) != start.names.size())
+    {
+      kind =
+        kind == LineKind::skip ? kind : LineKind::broken; // a name of two words shifts the rest
+    }
     if (kind == LineKind::point)
     {
       chunk.points.push_back(point);
@@ -307,7 +353,7 @@ Model parsePointsText(std::span<const char> bytes, std::string_view name, Execut
       [&](std::size_t begin, std::size_t end)
       {
         std::for_each(chunks.data() + begin, chunks.data() + end,
-          [&](Chunk& chunk) { readChunk(chunk, isLettered, columns); });
+          [&](Chunk& chunk) { readChunk(chunk, start, isLettered, columns); });
       });
     for (const Chunk& chunk : chunks)
     {

@@ -14,9 +14,10 @@ namespace scan
 /// Reads a vertex list (.xyz .txt .asc .pts .csv .pwn): one point a line, x y z in the first three
 /// columns, perhaps a colour r g b of 0 to 255 and a normal nx ny nz behind them.
 ///
-/// The line ahead of the points may name the columns: x y z, and somewhere r g b (or red green
-/// blue) and nx ny nz. Without it, what further columns hold is decided by the first 1000 points
-/// (of 256 KB), by those of them that have the most columns, all of them numbers:
+/// A line ahead of the points may name as many columns as they have: x y z, which need not be the
+/// first, and somewhere behind r g b (red green blue; rf gf bf) and nx ny nz. Without it, what
+/// further columns hold is decided by the first 1000 points (of 256 KB), by those of them that have
+/// the most columns, all of them numbers:
 /// - 6 columns are x y z and a normal when its length is 1 +- 0.02 or 0 in all of them, x y z r g b
 ///   when the three are integers of 0 to 255 in all of them; only zeros could be both;
 /// - 7 columns are x y z, an intensity and r g b when the last three are such integers; or x y z

@@ -3,6 +3,7 @@
 #include "readers/pts.h"
 
 #include "filters/base/error.h"
+#include "readers/point_columns.h"
 #include "readers/scan_lines.h"
 #include "readers/text_scanner.h"
 
@@ -44,7 +45,15 @@ Model parsePts(std::span<const char> bytes, std::string_view name, Execution& ex
 bool looksLikePts(std::span<const char> head)
 {
   const char* const end = head.data() + head.size();
-  const LineColumns count = readColumns(skipBlankLines(skipUtf8Mark(head), end), end);
+  const char* const start = skipBlankLines(skipUtf8Mark(head), end);
+  for (const char* line = skipUtf8Mark(head); line < start; line = nextLine(line, end))
+  {
+    if (!readColumnNames(line, end).empty())
+    {
+      return false; // a vertex list, whose reader makes use of the names
+    }
+  }
+  const LineColumns count = readColumns(start, end);
   bool hasColors = false; // that cannot be normals, which other lists with a count have
   int columns = 0;
   const char* at = skipBlankLines(nextLine(count.end, end), end);

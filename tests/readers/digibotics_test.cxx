@@ -130,9 +130,10 @@ TEST(Digibotics, SaysThatItIsNotVerified)
 TEST(Digibotics, ClaimsOnlyContours)
 {
   EXPECT_TRUE(claims(kText));
-  EXPECT_TRUE(claims("SLICE 1\n1 2 3\n"));
+  EXPECT_TRUE(claims("# Digibot\n1 2 3\n"));
   EXPECT_TRUE(claims("1 2 3\nContour 2\n4 5 6\n"));
-  EXPECT_TRUE(claims("1 2 3\n# layer 2\n4 5 6\n"));
+  EXPECT_FALSE(claims("1 2 3 4 5 6\n# layer 2\n4 5 6 7 8 9\n")); // a vertex list with colours
+  EXPECT_FALSE(claims("Section X Y Z R G B\n1 2 3 4 5 6\n"));
   EXPECT_FALSE(claims("# Units: mm\n1 2 3\n")); // a vertex list, perhaps with colours
   EXPECT_FALSE(claims("# Profile data\n1 2 3\n"));
   EXPECT_FALSE(claims(""));

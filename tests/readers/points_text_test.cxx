@@ -153,7 +153,8 @@ TEST(PointsText, MakesPointsWithoutAColorWhite)
   text += "1 2 3 256 0 0\n1 2 3 4 5.5 6\n1 2 3 4 5\n1 2 3 9 8 7 6\n";
   const std::vector<Color> colors = parse(text).colors;
   ASSERT_EQ(colors.size(), 1008U);
-  EXPECT_EQ(std::count(colors.begin(), colors.end(), kWhite), 7);
+  EXPECT_EQ(std::count(colors.begin(), colors.end(), kWhite), 6);
+  EXPECT_EQ(colors[1005], (Color{ 4, 6, 6 }));
   EXPECT_EQ(colors[4], (Color{ 4, 5, 6 }));
   EXPECT_EQ(colors.back(), (Color{ 9, 8, 7 }));
   const Model model = parse("1 2 3 0 0 1\n1 2 3\n1 2 3 nan 0 0\n");
@@ -271,11 +272,33 @@ TEST(PointsText, ReadsTheColumnsThatAHeaderNames)
                            "1;2;3;9;1;2;3;0;0;1\n1;2;3;9;0;255;10;0;-1;0\n");
   EXPECT_EQ(both.colors, colors);
   EXPECT_EQ(both.normals, (std::vector<Vec3>{ { 0, 0, 1 }, { 0, -1, 0 } }));
+  // fractions, a line out of range, normals of any length
+  EXPECT_EQ(parse("# X Y Z R G B\n1 2 3 0.5 0.25 1\n1 2 3 0 0 0\n1 2 3 7 0 0\n").colors,
+    (std::vector<Color>{ { 128, 64, 255 }, { 0, 0, 0 }, { 255, 255, 255 } }));
+  EXPECT_EQ(parse("X Y Z Rf Gf Bf\n1 2 3 0 1 1\n").colors, (std::vector<Color>{ { 0, 255, 255 } }));
+  EXPECT_EQ(parse("X Y Z Nx Ny Nz\n1 2 3 0 0 0.5\n").normals, (std::vector<Vec3>{ { 0, 0, 1 } }));
   // names of other columns, and columns that are not what they are named
   EXPECT_TRUE(hasOnlyPoints("# X Y Z a b c\n1 2 3 1 2 3\n1 2 3 0 255 10\n"));
-  EXPECT_TRUE(hasOnlyPoints("# X Y Z R G B\n1 2 3 0.5 0.25 1\n1 2 3 0 0 0\n"));
+  EXPECT_TRUE(hasOnlyPoints("# X Y Z R G B\n1 2 3 -7 0.25 1\n1 2 3 -8 0 0\n"));
+  // the header stands above other lines
+  EXPECT_EQ(parse("//X Y Z R G B I\n2\n\n// c\n1 2 3 1 2 3 9\n1 2 3 0 255 10 9\n").colors, colors);
   // a title is no header
   EXPECT_EQ(parse("# a scan of a tooth\n1 2 3 1 2 3\n1 2 3 0 255 10\n").colors, colors);
+}
+
+TEST(PointsText, FindsTheCoordinatesThatAHeaderNames)
+{
+  EXPECT_EQ(points("ID,X,Y,Z\n1,1,2.5,-3\n2,4,5,6e-3\n"), kTwo);
+  EXPECT_EQ(points("name;t;x;y;z\na;0.5;1;2.5;-3\n# c\n\nb;0.5;4;5;6e-3\n"), kTwo);
+  EXPECT_EQ(error("name;t;x;y;z\na;0.5;1;2.5;-3\nb c;0.5;4;5;6e-3\n"),
+    "file: line 3: expected x y z, found 'b c;0.5;4;5;6e-3'; correct or remove the line");
+  EXPECT_EQ(parse("id x y z r g b\nP1 1 2.5 -3 1 2 3\nP2 4 5 6e-3 4 5 6\n").colors,
+    (std::vector<Color>{ { 1, 2, 3 }, { 4, 5, 6 } }));
+  EXPECT_EQ(error("Z,Y,X\n1,2,3\n"),
+    "file: line 1: the columns of x, y and z do not follow each other in this order; export them "
+    "so");
+  // words of a sentence
+  EXPECT_EQ(points("# columns are x y z\n1 2.5 -3\n4 5 6e-3\n"), kTwo);
 }
 
 TEST(PointsText, LeavesOutPointsThatAreNoNumber)

@@ -163,6 +163,7 @@ TEST(Pts, KnowsItsOwn)
   EXPECT_TRUE(looks("# c\n2\n1 2 3 0 0 1\n// c\n4 5 6 1 1 0\n"));
   EXPECT_FALSE(looks("2\n1 2 3 0 0 1\n4 5 6 0 1 0\n")); // normals
   EXPECT_FALSE(looks("2\n1 2 3 0.6 0 0.8\n"));
+  EXPECT_FALSE(looks("//X Y Z R G B Intensity\n2\n1 2 3 4 5 6 7\n4 5 6 7 8 9 10\n"));
   EXPECT_FALSE(looks("2\n1 2 3 1 0.5 6 7\n"));
   EXPECT_FALSE(looks("2\n1 2 3\n1 2 3 4\n"));
   EXPECT_FALSE(looks("1 2 3 4\n"));     // no count
