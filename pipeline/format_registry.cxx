@@ -60,6 +60,16 @@ std::string listOf(const std::vector<std::string>& extensions)
 
 } // namespace
 
+void checkReadOptions(const ReadOptions& options)
+{
+  const Length& tolerance = options.tolerance;
+  if (tolerance.unit() == Length::Unit::spacing || !(tolerance.value() > 0.0))
+  {
+    throw Error(ErrorCode::badParameter,
+      "--tolerance=" + tolerance.text() + ": expected a length above 0 such as 0.1mm or 0.1%");
+  }
+}
+
 const Format& formatToRead(const std::string& path, const CancelToken& token)
 {
   const std::vector<char> head = path == "-" ? headOfStandardInput(token) : headOfFile(path);

@@ -36,6 +36,9 @@ struct ReadOptions
   Length tolerance = Length(0.1, Length::Unit::diagonalPercent);
 };
 
+/// Throws Error badParameter for options that cannot be.
+void checkReadOptions(const ReadOptions& options);
+
 /// What comes in or out with a format.
 struct Abilities
 {
@@ -63,7 +66,6 @@ struct Format
   bool isVague = false; ///< other formats may look like this one, too: they come first
 
   /// A fresh reader; null where reading is not possible. The path "-" is standard input.
-  /// Throws Error badParameter for options that cannot be.
   vtkSmartPointer<vtkAlgorithm> (*makeReader)(
     const std::string& path, const ReadOptions& options) = nullptr;
 

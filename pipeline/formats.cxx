@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/format_registry.h"
 
-#include "filters/base/error.h"
 #include "readers/autodesk_3ds.h"
 #include "readers/cad.h"
 #include "readers/cyberware_header.h"
@@ -67,11 +66,6 @@ template <>
 void configure(vtkScanCadReader& reader, const ReadOptions& options)
 {
   const Length& tolerance = options.tolerance;
-  if (tolerance.unit() == Length::Unit::spacing || !(tolerance.value() > 0.0))
-  {
-    throw Error(ErrorCode::badParameter,
-      "--tolerance=" + tolerance.text() + ": expected a length above 0 such as 0.1mm or 0.1%");
-  }
   if (tolerance.unit() == Length::Unit::diagonalPercent)
   {
     reader.SetRelativeTolerance(tolerance.value() / 100.0);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace scan
 {
@@ -25,6 +26,8 @@ Model parsePts(std::span<const char> bytes, std::string_view name, Execution& ex
   ScanLineReader reader(source, execution);
   const char* const end = source.end();
   const char* at = skipBlankLines(skipByteOrderMark(source), end);
+  std::uint64_t announced = 0;
+  std::uint64_t found = 0;
   do
   {
     const LineColumns line = readColumns(at, end);
@@ -36,10 +39,16 @@ Model parsePts(std::span<const char> bytes, std::string_view name, Execution& ex
     }
     at = nextLine(line.end, end);
     reader.expect(static_cast<std::uint64_t>(line.values[0]), at);
-    std::uint64_t ignored = 0;
-    at = reader.readScan(at, nullptr, ignored);
+    std::uint64_t lines = 0;
+    at = reader.readScan(at, nullptr, lines);
+    announced += static_cast<std::uint64_t>(line.values[0]);
+    found += lines;
   } while (at != end);
-  return reader.finish();
+  Model model = reader.finish();
+  model.addNote(found < announced ? "the file announces " + std::to_string(announced) +
+        " points, but has " + std::to_string(found) + "; it may be truncated"
+                                  : "");
+  return model;
 }
 
 bool looksLikePts(std::span<const char> head)

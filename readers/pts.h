@@ -17,7 +17,8 @@ namespace scan
 /// Several scans may follow each other, each with its count; all their points become one model, in
 /// the order of the file. Also reads x y z and x y z r g b, and skips what follows a colour. All
 /// lines of a scan have the same columns. Points of scans without colours are white beside others.
-/// Real files get the counts wrong, so nothing relies on them. Intensities are skipped. No unit.
+/// Real files get the counts wrong, so nothing relies on them; a note says when points are missing.
+/// Intensities are skipped. No unit.
 ///
 /// Throws Error parse, with the line, for a line that is no point, for a file that starts without
 /// a count, for a file without points, for UTF-16, for coordinates that are not finite or exceed

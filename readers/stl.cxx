@@ -103,7 +103,7 @@ public:
     }
   }
 
-  TriMesh finish(const Source& source, CoordinateCheck::Place place)
+  Model finish(const Source& source, CoordinateCheck::Place place)
   {
     this->weld();
     if (this->Mesh.triangles.empty())
@@ -132,14 +132,14 @@ private:
     this->Count = 0;
   }
 
-  TriMesh Mesh;
+  Model Mesh;
   VertexWelder Welder;
   CoordinateCheck Check;
   std::array<Vec3, VertexWelder::kBatch> Waiting; // whole facets
   std::size_t Count = 0;
 };
 
-TriMesh parseBinary(const Source& source, Execution& execution)
+Model parseBinary(const Source& source, Execution& execution)
 {
   const std::uint64_t count = countFacets(source);
   FacetSink sink(count);
@@ -169,10 +169,11 @@ public:
   {
   }
 
-  TriMesh read()
+  Model read()
   {
     const char* const end = this->Text.end();
     std::size_t facets = 0;
+    bool isComplete = false;
     const char* at = skipSpace(skipUtf8Mark(this->Text.bytes), end);
     while (at != end)
     {
@@ -187,6 +188,7 @@ public:
       }
       else if (isKeyword(at, end, "solid") || isKeyword(at, end, "endsolid"))
       {
+        isComplete = isKeyword(at, end, "endsolid");
         at = nextLine(at, end);
       }
       else
@@ -195,7 +197,9 @@ public:
       }
       at = skipSpace(at, end);
     }
-    return this->Sink.finish(this->Text, CoordinateCheck::Place::line);
+    Model model = this->Sink.finish(this->Text, CoordinateCheck::Place::line);
+    model.addNote(isComplete ? "" : "the text ends without 'endsolid'; the file may be truncated");
+    return model;
   }
 
 private:
@@ -262,7 +266,7 @@ private:
 
 } // namespace
 
-TriMesh parseStl(std::span<const char> bytes, std::string_view name, Execution& execution)
+Model parseStl(std::span<const char> bytes, std::string_view name, Execution& execution)
 {
   const Source source{ name, bytes };
   const bool isExactlyBinary = bytes.size() >= kHeaderBytes &&

@@ -39,7 +39,7 @@ public:
     while (this->skipGap() != this->Text.end())
     {
       const char* const line = this->At;
-      const std::string name = this->takeName();
+      const std::string name = isCounted ? this->takeLine() : this->takeName();
       if (name == "camera") // Stanford's lists
       {
         this->At = nextLine(this->At, this->Text.end());
@@ -91,6 +91,18 @@ private:
     }
     this->At = stop;
     return true;
+  }
+
+  /// A name of a counted list has a line of its own, and stands there without quotes.
+  std::string takeLine()
+  {
+    const char* const end = this->Text.end();
+    const char* const stop = findLineEnd(this->At, end);
+    std::string_view name(this->At, static_cast<std::size_t>(stop - this->At));
+    name = name.substr(0, name.find_last_not_of(" \t") + 1);
+    this->At = stop;
+    const bool isQuoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+    return std::string(isQuoted ? name.substr(1, name.size() - 2) : name);
   }
 
   std::string takeName()

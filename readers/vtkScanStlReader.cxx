@@ -11,5 +11,5 @@ vtkStandardNewMacro(vtkScanStlReader);
 scan::Model vtkScanStlReader::Parse(
   std::span<const char> bytes, std::string_view name, scan::Execution& execution) const
 {
-  return { scan::parseStl(bytes, name, execution) };
+  return scan::parseStl(bytes, name, execution);
 }

@@ -72,7 +72,7 @@ std::string noteOnRounding(const std::vector<Vec3>& points)
     return {};
   }
   std::array<char, 32> digits = {};
-  const char* const end =
+  char* const end =
     std::to_chars(digits.begin(), digits.end(), most, std::chars_format::general, 2).ptr;
   return "the format holds 7 digits, so that points of this model, which is far from the origin, "
          "move by up to " +

@@ -198,7 +198,7 @@ private:
     }
     if (parameter == nullptr)
     {
-      this->refuseOption(name, verb);
+      refuseOption(name, verb, output);
     }
     const bool isSwitch = std::holds_alternative<bool>(parameter->defaultValue);
     if (equals == std::string::npos && !isSwitch)
@@ -218,7 +218,8 @@ private:
     }
   }
 
-  [[noreturn]] static void refuseOption(const std::string& name, const OperationWish* verb)
+  [[noreturn]] static void refuseOption(
+    const std::string& name, const OperationWish* verb, const OutputWish* output)
   {
     std::vector<std::string> names = namesOf(globalOptions());
     std::string help = "scanwrap --help";
@@ -229,6 +230,20 @@ private:
       names.insert(names.begin(), own.begin(), own.end());
       help = "scanwrap " + verb->operation->verb + " --help";
       where = verb->operation->verb + ": ";
+    }
+    const bool isOfOutputs = std::ranges::any_of(formats(),
+      [&](const Format& format)
+      {
+        const std::vector<std::string> own = namesOf(format.writeParameters);
+        return std::ranges::find(own, name) != own.end();
+      });
+    if (isOfOutputs && output != nullptr)
+    {
+      refuse(output->path + ": " + formatToWrite(output->path).name + " has no option --" + name);
+    }
+    if (isOfOutputs)
+    {
+      refuse("--" + name + " is an option of outputs; put it right behind an -o FILE");
     }
     for (std::string& candidate : names)
     {

@@ -97,6 +97,7 @@ public:
   /// Everything that can be refused without reading a model.
   void check()
   {
+    translated(ExitStatus::usage, [&] { checkReadOptions(this->Line.reading); });
     std::vector<std::string> outputs;
     for (const CommandLine::Step& step : this->Line.steps)
     {

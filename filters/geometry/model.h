@@ -27,7 +27,11 @@ struct Model : TriMesh
 
   bool isScan() const { return this->triangles.empty() && this->curves.empty(); }
 
-  void addNote(const std::string& text) { this->note += (this->note.empty() ? "" : "; ") + text; }
+  /// An empty text adds nothing.
+  void addNote(const std::string& text)
+  {
+    this->note += (this->note.empty() || text.empty() ? "" : "; ") + text;
+  }
 };
 
 } // namespace scan

@@ -106,7 +106,8 @@ scan_cli_test(EveryFormatComesBack "scanwrap $DATA/torus.xyz wrap -o a.ply -o a.
   OUT "^ *6 genus +1\n +6 points +5000\n +6 triangles +10000\n$")
 scan_cli_test(OptionsOfOutputs "scanwrap $DATA/torus.xyz wrap -o a.dxf -o b.dxf --faces=polyface -o a.wrl -o b.wrl --version=1.0 && grep -c 3DFACE a.dxf; grep -c POLYLINE b.dxf; head -c 10 a.wrl; head -c 10 b.wrl"
   OUT "^10000\n1\n#VRML V2.0#VRML V1.0")
-scan_cli_test(OptionOfAnotherOutput "scanwrap $DATA/torus.xyz wrap -o a.stl --faces=polyface" EXIT 2 ERR "there is no option --faces")
+scan_cli_test(OptionOfAnotherOutput "scanwrap $DATA/torus.xyz wrap -o a.stl --faces=polyface" EXIT 2 ERR "a.stl: STL has no option --faces")
+scan_cli_test(OptionAheadOfOutput "scanwrap $DATA/torus.xyz wrap --consistent=false -o a.stl" EXIT 2 ERR "--consistent is an option of outputs; put it right behind an -o FILE")
 scan_cli_test(BadOptionOfOutput "scanwrap $DATA/torus.xyz wrap -o a.dxf --faces=round" EXIT 2 ERR "--faces=round: .*3dface")
 scan_cli_test(UnitsOfSomeFiles "scanwrap $DATA/torus.xyz -o a.glb 2> first; scanwrap a.glb $DATA/torus.xyz info" EXIT 2 ERR "only some of the files say what their unit is; give that of the others with --unit")
 scan_cli_test(UnitOfFiles "scanwrap --unit=in $DATA/torus.xyz wrap -o a.3mf && scanwrap a.3mf info" OUT "\nunit +inch\n")
@@ -121,6 +122,7 @@ scan_cli_test(TransformIsMissing "echo 'other 0 0 0 0 0 0 1' > list; scanwrap --
 scan_cli_test(TransformIsNone "echo 'torus.xyz 1 2 3' > list; scanwrap --transforms=list $DATA/torus.xyz info" EXIT 2 ERR "list: line 1")
 scan_cli_test(ToleranceOfCadFiles "cp $DATA/../tests/fuzz/corpus/step/ball a.stp; for t in 1 1mm 0.01 5% 0.1%; do scanwrap --tolerance=$t a.stp info | grep ^triangles; done | sort -n -k 2 | uniq -c"
   OUT "^ +3 triangles +[0-9]+\n +1 triangles +[0-9]+\n +1 triangles +[0-9]+\n$")
+scan_cli_test(ToleranceIsCheckedFirst "scanwrap --tolerance=-1 --dry-run $DATA/torus.xyz info" EXIT 2 ERR "--tolerance=-1: expected")
 scan_cli_test(ToleranceOfNothing "cp $DATA/../tests/fuzz/corpus/step/ball a.stp; scanwrap --tolerance=0 a.stp info" EXIT 2 ERR "--tolerance=0: expected a length above 0 such as 0.1mm or 0.1%")
 scan_cli_test(SurfacesAreMended "printf 'OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n' > a.off; scanwrap a.off -o b.ply -o c.ply --consistent=false; scanwrap b.ply info; scanwrap c.ply info"
   OUT "points +9\n.*manifold +yes\n.*points +5\n.*manifold +no\n" ERR "b.ply: the surface is mended: 1 edge split, 2 points repeated")

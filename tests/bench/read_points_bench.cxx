@@ -207,8 +207,8 @@ int main(int argc, char** argv)
   compare<vtkSimplePointsReader>(files, "model.xyz", scan::parsePointsText);
   compare<vtkPLYReader>(files, "model.ply", scan::parsePly);
   compare<vtkOBJReader>(files, "model.obj", scan::parseObj);
-  compare<vtkSTLReader>(files, "model.stl", scan::test::asModel<scan::parseStl>);
-  compare<vtkSTLReader>(files, "ascii.stl", scan::test::asModel<scan::parseStl>);
+  compare<vtkSTLReader>(files, "model.stl", scan::parseStl);
+  compare<vtkSTLReader>(files, "ascii.stl", scan::parseStl);
   addOurs(files, "colored.xyz", scan::parsePointsText);
   for (const std::string name : { "colored", "shaded" })
   {

@@ -45,12 +45,6 @@ struct FuzzedParser
 
 inline constexpr std::size_t kExpands = std::size_t(64) << 20U;
 
-template <TriMesh (*Parse)(std::span<const char>, std::string_view, Execution&)>
-Model parseMesh(std::span<const char> bytes, std::string_view name, Execution& execution)
-{
-  return Model{ Parse(bytes, name, execution) };
-}
-
 /// A range map with its triangles, and colours from an image of six pixels.
 inline Model parseColoredCyberware(
   std::span<const char> bytes, std::string_view name, Execution& execution)
@@ -115,7 +109,7 @@ inline constexpr FuzzedParser kFuzzedParsers[] = {
   { "pts", parsePts, looksLikePts },
   { "ptx", parsePtx, looksLikePtx },
   { "sgi_image", parseImage, looksLikeSgiImage, kExpands },
-  { "stl", parseMesh<parseStl>, looksLikeStl },
+  { "stl", parseStl, looksLikeStl },
   { "threemf", parseSmallThreemf, looksLikeThreemf, 2 * kExpands, 24 },
   { "transforms", parseTransformList, looksLikeAnything },
   { "vtp_counts", checkVtpFile, looksLikeVtp },

@@ -22,7 +22,7 @@ namespace
 using scan::test::expectErrorOrModel;
 using scan::test::Parser;
 
-constexpr Parser kStl = scan::test::asModel<scan::parseStl>;
+constexpr Parser kStl = scan::parseStl;
 
 struct Sample
 {

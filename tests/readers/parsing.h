@@ -17,13 +17,6 @@ namespace scan::test
 
 using Parser = Model (*)(std::span<const char>, std::string_view, Execution&);
 
-/// A parser that gives a mesh, as a Parser.
-template <auto MeshParser>
-Model asModel(std::span<const char> bytes, std::string_view name, Execution& execution)
-{
-  return { MeshParser(bytes, name, execution) };
-}
-
 /// Parses a copy of the text that ends exactly at the end of its storage.
 /// @param parser (bytes, name, execution) -> model
 template <class Parser>

@@ -93,6 +93,9 @@ TEST(Pts, ReliesOnNoCount)
 {
   EXPECT_EQ(parse("1\n1 2.5 -3 9\n4 5 6e-3 9\n").points, kTwo);
   EXPECT_EQ(parse("4000000000\n1 2.5 -3 9\n4 5 6e-3 9\n").points, kTwo);
+  EXPECT_EQ(parse("3\n1 2.5 -3 9\n4 5 6e-3 9\n").note,
+    "the file announces 3 points, but has 2; it may be truncated");
+  EXPECT_EQ(parse("1\n1 2.5 -3 9\n4 5 6e-3 9\n").note, "");
 }
 
 TEST(Pts, NamesTheMalformedLine)

@@ -51,7 +51,7 @@ class RefusedFile : public testing::TestWithParam<Row>
 constexpr scan::test::Parser kText = scan::parsePointsText;
 constexpr scan::test::Parser kPly = scan::parsePly;
 constexpr scan::test::Parser kObj = scan::parseObj;
-constexpr scan::test::Parser kStl = scan::test::asModel<scan::parseStl>;
+constexpr scan::test::Parser kStl = scan::parseStl;
 
 const std::vector<Row> kRows = {
   { kPly, "01_points/cgal/b9.ply", 22300, 0 },

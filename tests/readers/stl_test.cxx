@@ -14,11 +14,12 @@
 namespace
 {
 
+using scan::Model;
 using scan::Triangle;
 using scan::TriMesh;
 using scan::Vec3;
 
-TriMesh parse(std::string_view text)
+Model parse(std::string_view text)
 {
   return scan::test::parse(scan::parseStl, text);
 }
@@ -79,6 +80,14 @@ TEST(Stl, JoinsSeveralSolids)
     parse("solid vertex facet\n" + kFacet + "endsolid\r\nSOLID b\r\n" + kFacet + "endsolid b\n");
   EXPECT_EQ(mesh.points.size(), 3U);
   EXPECT_EQ(mesh.triangles.size(), 2U);
+}
+
+TEST(Stl, NotesAMissingEnd)
+{
+  EXPECT_EQ(parse("solid\n" + kFacet + "endsolid\n").note, "");
+  EXPECT_EQ(parse(binary(kTwo)).note, "");
+  EXPECT_EQ(
+    parse("solid\n" + kFacet).note, "the text ends without 'endsolid'; the file may be truncated");
 }
 
 TEST(Stl, RefusesFilesWithoutFacets)

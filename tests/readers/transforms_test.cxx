@@ -83,7 +83,7 @@ TEST(Transforms, ReadListsOfStanford)
 TEST(Transforms, ReadListsOfMeshLab)
 {
   const std::string one = "a.ply\n#\n0 -1 0 10 \n1 0 0 20 \n0 0 1 30 \n0 0 0 1 \n";
-  const auto found = read("2\n" + one + "b.ply\n#\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n0\n");
+  const auto found = read("2\n" + one + "my scan.ply \n#\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n0\n");
   ASSERT_EQ(found.size(), 2U);
   expectQuarterTurn(found[0].place);
   expectNear(found[1].place.point({ 1, 2, 3 }), { 1, 2, 3 });
