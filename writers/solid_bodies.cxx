@@ -74,6 +74,20 @@ void turn(TriMesh& mesh)
   }
 }
 
+/// The shell of whose body a shell that faces inwards is a void; kNone for all others.
+Index bodyAround(const Shells& shells, Index shell)
+{
+  if (shells.shells[shell].volume >= 0.0)
+  {
+    return kNone;
+  }
+  do
+  {
+    shell = shells.shells[shell].container;
+  } while (shell != kNone && shells.shells[shell].volume < 0.0);
+  return shell;
+}
+
 } // namespace
 
 std::vector<SolidBody> bodiesOf(const TriMesh& mesh, const std::string& name, Execution& execution)
@@ -84,9 +98,9 @@ std::vector<SolidBody> bodiesOf(const TriMesh& mesh, const std::string& name, Ex
   std::vector<TriMesh> meshes = meshesOf(mesh, shells);
   std::vector<SolidBody> bodies;
   std::vector<std::size_t> bodyOf(meshes.size());
-  for (std::size_t i = 0; i < meshes.size(); ++i)
+  for (Index i = 0; i < meshes.size(); ++i)
   {
-    if (shells.shells[i].container == kNone)
+    if (bodyAround(shells, i) == kNone)
     {
       if (shells.shells[i].volume < 0.0)
       {
@@ -96,11 +110,11 @@ std::vector<SolidBody> bodiesOf(const TriMesh& mesh, const std::string& name, Ex
       bodies.push_back({ .outer = shellOf(std::move(meshes[i])), .voids = {} });
     }
   }
-  for (std::size_t i = 0; i < meshes.size(); ++i)
+  for (Index i = 0; i < meshes.size(); ++i)
   {
-    if (const Index container = shells.shells[i].container; container != kNone)
+    if (const Index body = bodyAround(shells, i); body != kNone)
     {
-      bodies[bodyOf[container]].voids.push_back(shellOf(std::move(meshes[i])));
+      bodies[bodyOf[body]].voids.push_back(shellOf(std::move(meshes[i])));
     }
   }
   return bodies;

@@ -59,16 +59,20 @@ Index turnDissenters(TriMesh& mesh, const EdgePairs& pairs)
   return turned;
 }
 
-/// Turns closed pieces that face inwards and are no voids.
+/// Turns closed pieces that face inwards and are in no other, with what is in them: voids stay
+/// voids.
 Index turnOutwards(TriMesh& mesh, std::span<const Index> mate, Execution& execution)
 {
   Shells shells = findShells(mesh, mate);
+  if (std::ranges::none_of(shells.shells, [](const Shell& shell) { return shell.volume < 0.0; }))
+  {
+    return 0;
+  }
   findContainers(mesh, shells, execution);
   Index turned = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const Shell& shell = shells.shells[shells.shellOf[t]];
-    if (shell.volume < 0.0 && shell.container == kNone)
+    if (shells.shells[outermost(shells, shells.shellOf[t])].volume < 0.0)
     {
       turn(mesh.triangles[t]);
       ++turned;

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace scan;
 
 namespace
@@ -61,13 +63,9 @@ TEST(Shells, AreFoundAroundProbesBelowCornersAndEdges)
   // seen along z the probe's point lies on edges and corners of the cube around it
   TriMesh mesh = corpus::voxelBorder(4, [](Index, Index, Index) { return true; });
   TriMesh inner;
-  inner.points = { { 1, 1, 1 }, { 3, 1, 1 }, { 2, 1, 2 }, { 2, 3, 1 } };
-  // the middle of the first triangle is at 2, 5/3, 4/3
+  inner.points = { { 1, 1.5, 1 }, { 3, 1.5, 1 }, { 2, 2, 2 }, { 2, 3, 1 } };
+  // the middle of the first triangle is at 2, 2, 1
   inner.triangles = { { 0, 1, 3 }, { 0, 2, 1 }, { 1, 2, 3 }, { 2, 0, 3 } };
-  for (Vec3& p : inner.points)
-  {
-    p.y = p.y * 3.0 - 3.0; // now at y = 2
-  }
   const auto first = static_cast<Index>(mesh.points.size());
   mesh.points.insert(mesh.points.end(), inner.points.begin(), inner.points.end());
   for (const auto& [a, b, c] : inner.triangles)
@@ -78,4 +76,67 @@ TEST(Shells, AreFoundAroundProbesBelowCornersAndEdges)
   ASSERT_EQ(shells.shells.size(), 2U);
   ASSERT_LT(shells.shells[1].volume, 0.0);
   EXPECT_EQ(shells.shells[1].container, 0U);
+}
+
+TEST(Shells, TouchTheirContainersFromInside)
+{
+  // a cube in a cube, with a side in that of the other: whichever triangle comes first
+  TriMesh outer = corpus::voxelBorder(3, [](Index, Index, Index) { return true; });
+  const auto first = static_cast<Index>(outer.points.size());
+  for (const auto& at : { Vec3{ 0, 1, 1 }, Vec3{ 2, 1, 1 }, Vec3{ 1, 1, 0 }, Vec3{ 1, 1, 2 } })
+  {
+    TriMesh inner = corpus::voxelBorder(1, [](Index, Index, Index) { return true; });
+    for (std::size_t turn = 0; turn < inner.triangles.size(); ++turn)
+    {
+      std::ranges::rotate(inner.triangles, inner.triangles.begin() + 1);
+      TriMesh mesh = outer;
+      for (const Vec3& p : inner.points)
+      {
+        mesh.points.push_back(p + at);
+      }
+      for (const auto& [a, b, c] : inner.triangles)
+      {
+        mesh.triangles.push_back({ first + a, first + c, first + b });
+      }
+      const Shells shells = shellsOf(mesh);
+      ASSERT_EQ(shells.shells.size(), 2U);
+      EXPECT_EQ(shells.shells[1].container, 0U) << turn;
+    }
+  }
+}
+
+TEST(Shells, InOnePlaceContainNothing)
+{
+  TriMesh mesh;
+  corpus::addTetrahedron(mesh, 1.0, { 0, 0, 0 });
+  corpus::addTetrahedron(mesh, 1.0, { 0, 0, 0 }, true);
+  const Shells shells = shellsOf(mesh);
+  EXPECT_EQ(shells.shells[0].container, kNone);
+  EXPECT_EQ(shells.shells[1].container, kNone);
+}
+
+TEST(Shells, OfManyPiecesAreNoLongWork)
+{
+  // above each other, each second one turned; within each other; and small ones in a large one
+  constexpr int kMany = 20000;
+  constexpr int kDeep = 5000;
+  TriMesh stack;
+  TriMesh nest;
+  TriMesh bubbles;
+  corpus::addTetrahedron(bubbles, 10.0 * kMany, { 0, 0, 0 });
+  for (int i = 0; i < kMany; ++i)
+  {
+    corpus::addTetrahedron(stack, 1.0, { 0, 0, 5.0 * i }, i % 2 == 1);
+    if (i < kDeep)
+    {
+      corpus::addTetrahedron(nest, 1.0 + i, { 0, 0, 0 }, i % 2 == 1);
+    }
+    corpus::addTetrahedron(bubbles, 0.1, { i * 1.0, 0, 0 }, true);
+  }
+  EXPECT_EQ(shellsOf(stack).shells[kMany - 1].container, kNone);
+  const Shells nested = shellsOf(nest);
+  EXPECT_EQ(nested.shells[0].container, 1U);
+  EXPECT_EQ(outermost(nested, 0), static_cast<Index>(kDeep - 1));
+  const Shells blown = shellsOf(bubbles);
+  EXPECT_EQ(blown.shells[1].container, 0U);
 }
