@@ -129,7 +129,8 @@ std::string changesOf(const ConsistentSurface& surface)
     }
   };
   add(surface.removed, "triangle", "without area left out");
-  add(surface.cuts, "triangle", "cut");
+  add(surface.repeats, "triangle", "that repeats another left out");
+  add(surface.cut, "triangle", "cut");
   add(surface.turned, "triangle", "turned over");
   add(surface.edgesSplit, "edge", "split");
   add(surface.verticesSplit, "point", "repeated");

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace scan
 {
@@ -29,14 +30,68 @@ void removeFlat(ConsistentSurface& surface, double leastHeight, Execution& execu
   FlatRemoval removal = removeFlatTriangles(std::move(surface.mesh), leastHeight, execution);
   surface.mesh = std::move(removal.mesh);
   surface.triangleOrigin = std::move(removal.triangleOrigin);
-  surface.cuts = removal.cuts;
+  surface.cut = removal.cut;
   std::vector<Index> left = surface.triangleOrigin; // parts of one follow each other
   left.erase(std::unique(left.begin(), left.end()), left.end());
   surface.removed = before - static_cast<Index>(left.size());
 }
 
+/// Triangles with the same points as others: they share edges that have too many triangles, or
+/// three edges with one other triangle.
+std::vector<Index> candidatesForRepeats(const EdgePairs& pairs)
+{
+  std::vector<Index> candidates;
+  for (const Index half : pairs.crowded)
+  {
+    candidates.push_back(half / 3);
+  }
+  for (Index half = 0; half < pairs.mate.size(); half += 3)
+  {
+    const auto other = [&](Index k) { return pairs.mate[half + k] / 3; };
+    if (pairs.mate[half] != kNone && other(0) == other(1) && other(1) == other(2))
+    {
+      candidates.push_back(half / 3);
+    }
+  }
+  std::ranges::sort(candidates);
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
+
+/// Takes out all but the first of triangles with the same points. @return whether there were some
+bool removeRepeats(ConsistentSurface& surface, const EdgePairs& pairs)
+{
+  std::vector<std::pair<Triangle, Index>> known;
+  for (const Index number : candidatesForRepeats(pairs))
+  {
+    Triangle corners = surface.mesh.triangles[number];
+    std::ranges::sort(corners);
+    known.emplace_back(corners, number);
+  }
+  std::ranges::sort(known);
+  std::vector<bool> isRepeat(surface.mesh.triangles.size());
+  for (std::size_t i = 1; i < known.size(); ++i)
+  {
+    isRepeat[known[i].second] = known[i].first == known[i - 1].first;
+  }
+  surface.repeats = static_cast<Index>(std::ranges::count(isRepeat, true));
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < isRepeat.size() && surface.repeats > 0; ++t)
+  {
+    surface.mesh.triangles[kept] = surface.mesh.triangles[t];
+    surface.triangleOrigin[kept] = surface.triangleOrigin[t];
+    kept += isRepeat[t] ? 0 : 1;
+  }
+  if (surface.repeats > 0)
+  {
+    surface.mesh.triangles.resize(kept);
+    surface.triangleOrigin.resize(kept);
+  }
+  return surface.repeats > 0;
+}
+
 /// Turns the smaller part of each piece in which neighbours disagree.
-Index turnDissenters(TriMesh& mesh, const EdgePairs& pairs)
+void turnDissenters(TriMesh& mesh, const EdgePairs& pairs)
 {
   const std::vector<Triangle> before = mesh.triangles;
   orientConsistently(mesh.triangles, mesh.points.size());
@@ -46,7 +101,6 @@ Index turnDissenters(TriMesh& mesh, const EdgePairs& pairs)
   {
     turnedIn[pieces.shellOf[t]] += mesh.triangles[t] != before[t] ? 1 : 0;
   }
-  Index turned = 0;
   for (std::size_t t = 0; t < before.size(); ++t)
   {
     const Index piece = pieces.shellOf[t];
@@ -54,31 +108,32 @@ Index turnDissenters(TriMesh& mesh, const EdgePairs& pairs)
     {
       turn(mesh.triangles[t]);
     }
-    turned += mesh.triangles[t] != before[t] ? 1 : 0;
   }
-  return turned;
 }
 
 /// Turns closed pieces that face inwards and are in no other, with what is in them: voids stay
 /// voids.
-Index turnOutwards(TriMesh& mesh, std::span<const Index> mate, Execution& execution)
+void turnOutwards(TriMesh& mesh, std::span<const Index> mate, Execution& execution)
 {
   Shells shells = findShells(mesh, mate);
   if (std::ranges::none_of(shells.shells, [](const Shell& shell) { return shell.volume < 0.0; }))
   {
-    return 0;
+    return;
   }
   findContainers(mesh, shells, execution);
-  Index turned = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     if (shells.shells[outermost(shells, shells.shellOf[t])].volume < 0.0)
     {
       turn(mesh.triangles[t]);
-      ++turned;
     }
   }
-  return turned;
+}
+
+/// Whether the triangle is the other way round. Its points may have become copies.
+bool isTurned(const Triangle& before, const Triangle& after, const std::vector<Index>& pointOrigin)
+{
+  return pointOrigin[after[1]] != before[1];
 }
 
 } // namespace
@@ -89,9 +144,14 @@ ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& ex
   ConsistentSurface surface{ .mesh = std::move(mesh) };
   removeFlat(surface, leastHeight, execution);
   EdgePairs pairs = pairEdges(surface.mesh, execution);
+  if (removeRepeats(surface, pairs))
+  {
+    pairs = pairEdges(surface.mesh, execution);
+  }
+  const std::vector<Triangle> before = surface.mesh.triangles;
   if (!pairs.misoriented.empty())
   {
-    surface.turned = turnDissenters(surface.mesh, pairs);
+    turnDissenters(surface.mesh, pairs);
     pairs = pairEdges(surface.mesh, execution);
   }
   SplitResult split = splitNonManifold(std::move(surface.mesh), std::move(pairs), execution);
@@ -99,7 +159,13 @@ ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& ex
   surface.edgesSplit = split.edgesSplit;
   surface.verticesSplit = split.verticesSplit;
   surface.pointOrigin = std::move(split.pointOrigin);
-  surface.turned += turnOutwards(surface.mesh, split.mate, execution);
+  turnOutwards(surface.mesh, split.mate, execution);
+  surface.isTurned.resize(before.size());
+  for (std::size_t t = 0; t < before.size(); ++t)
+  {
+    surface.isTurned[t] = isTurned(before[t], surface.mesh.triangles[t], surface.pointOrigin);
+    surface.turned += surface.isTurned[t] ? 1 : 0;
+  }
   return surface;
 }
 

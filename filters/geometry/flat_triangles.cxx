@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <queue>
 #include <span>
@@ -55,17 +54,22 @@ public:
 
   FlatRemoval run()
   {
-    // Cutting makes new equal corners at times. Each round leaves fewer points in use; those that a
-    // tolerance moves back and forth are given up.
-    int rounds = this->LeastHeight > 0.0 ? 20 : std::numeric_limits<int>::max();
-    for (std::vector<Index> flat = this->findFlat(); !flat.empty() && rounds > 0; --rounds)
+    // Each round leaves fewer points in use, or fewer flat triangles.
+    for (std::vector<Index> flat = this->findFlat(); !flat.empty();)
     {
-      this->mergeEqualCorners(flat);
+      const bool isMerged = this->mergeEqualCorners(flat);
       this->dissolve(this->findFlat());
       this->dropGone();
-      flat = this->findFlat();
+      std::vector<Index> left = this->findFlat();
+      if (!isMerged && left.size() >= flat.size()) // cuts that undo each other
+      {
+        this->mergeShortestEdges(left);
+        left = this->findFlat();
+      }
+      flat = std::move(left);
     }
-    return { std::move(this->Mesh), std::move(this->Origin), this->Cuts };
+    const Index cut = this->countCut();
+    return { std::move(this->Mesh), std::move(this->Origin), cut };
   }
 
 private:
@@ -118,7 +122,9 @@ private:
   }
 
   std::vector<Index> findFlat();
-  void mergeEqualCorners(std::span<const Index> flat);
+  bool mergeEqualCorners(std::span<const Index> flat);
+  void mergeShortestEdges(std::span<const Index> flat);
+  void mergePoints(UnionFind& sets);
   void dissolve(std::span<const Index> flat);
   void dissolveOne(Index number);
   void fileEdges(Index number);
@@ -127,12 +133,12 @@ private:
   void push(Index number);
   void add(const Triangle& t, Index origin);
   void cut(Index number, const Line& line);
+  Index countCut() const;
 
   Execution& Run;
   double LeastHeight;
   TriMesh Mesh;
   std::vector<Index> Origin;
-  Index Cuts = 0;
 
   std::vector<bool> IsGone;                             // per triangle
   std::vector<bool> IsOnLine;                           // per point: a corner of a flat triangle
@@ -164,9 +170,11 @@ std::vector<Index> FlatRemover::findFlat()
 }
 
 /// Corners of flat triangles in one place become one point; triangles that lose a corner go.
-void FlatRemover::mergeEqualCorners(std::span<const Index> flat)
+/// @return whether there were such corners
+bool FlatRemover::mergeEqualCorners(std::span<const Index> flat)
 {
   UnionFind sets(this->Mesh.points.size());
+  bool isMerged = false;
   for (const Index number : flat)
   {
     const Triangle t = this->Mesh.triangles[number];
@@ -177,9 +185,39 @@ void FlatRemover::mergeEqualCorners(std::span<const Index> flat)
       if (a != b && this->isInOnePlace(a, b))
       {
         sets.join(std::min(a, b), std::max(a, b));
+        isMerged = true;
       }
     }
   }
+  this->mergePoints(sets);
+  return isMerged;
+}
+
+/// The ends of the shortest edge of each flat triangle become one point.
+void FlatRemover::mergeShortestEdges(std::span<const Index> flat)
+{
+  UnionFind sets(this->Mesh.points.size());
+  for (const Index number : flat)
+  {
+    const Triangle& t = this->Mesh.triangles[number];
+    const auto squared = [&](std::size_t k)
+    {
+      const Vec3 along = this->at(t[(k + 1) % 3]) - this->at(t[k]);
+      return dot(along, along);
+    };
+    const std::size_t k = std::ranges::min({ 0UL, 1UL, 2UL }, {}, squared);
+    const Index a = sets.root(t[k]);
+    const Index b = sets.root(t[(k + 1) % 3]);
+    if (a != b)
+    {
+      sets.join(std::min(a, b), std::max(a, b));
+    }
+  }
+  this->mergePoints(sets);
+}
+
+void FlatRemover::mergePoints(UnionFind& sets)
+{
   this->IsGone.assign(this->Mesh.triangles.size(), false);
   for (std::size_t number = 0; number < this->Mesh.triangles.size(); ++number)
   {
@@ -208,7 +246,8 @@ void FlatRemover::dissolve(std::span<const Index> flat)
   {
     this->fileEdges(number);
   }
-  std::size_t rest = 16 * (flat.size() + 64); // where rounding hides which of two is longer
+  // Rounding and a tolerance hide which of two is longer: there this may go round in circles.
+  std::size_t rest = 16 * (flat.size() + 64);
   for (; !this->Queue.empty() && rest > 0; --rest)
   {
     const Index number = this->Queue.top().second;
@@ -218,10 +257,7 @@ void FlatRemover::dissolve(std::span<const Index> flat)
       this->dissolveOne(number);
     }
   }
-  for (; !this->Queue.empty(); this->Queue.pop())
-  {
-    this->IsGone[this->Queue.top().second] = true;
-  }
+  this->Queue = {};
 }
 
 void FlatRemover::dissolveOne(Index number)
@@ -316,7 +352,9 @@ void FlatRemover::add(const Triangle& t, Index origin)
   if (!this->IsGone.back())
   {
     this->fileEdges(number);
-    if (this->isFlatTriangle(t))
+    const bool isOnLine =
+      std::ranges::all_of(t, [&](Index corner) { return this->IsOnLine[corner]; });
+    if (isOnLine && this->isFlatTriangle(t)) // others have neighbours that were not filed
     {
       this->push(number);
     }
@@ -328,13 +366,24 @@ void FlatRemover::cut(Index number, const Line& line)
 {
   const Triangle t = this->Mesh.triangles[number];
   this->IsGone[number] = true;
-  ++this->Cuts;
   const auto isEnd = [&](Index corner) { return corner == line.start || corner == line.end; };
   const std::size_t apex = !isEnd(t[0]) ? 0 : !isEnd(t[1]) ? 1 : 2;
   const Index from = t[(apex + 1) % 3];
   const Index to = t[(apex + 2) % 3];
   this->add({ from, line.middle, t[apex] }, this->Origin[number]);
   this->add({ line.middle, to, t[apex] }, this->Origin[number]);
+}
+
+/// The triangles of which several parts are left.
+Index FlatRemover::countCut() const
+{
+  Index count = 0;
+  for (std::size_t i = 1; i < this->Origin.size(); ++i)
+  {
+    const bool isSecond = this->Origin[i] == this->Origin[i - 1];
+    count += isSecond && (i == 1 || this->Origin[i - 2] != this->Origin[i]) ? 1 : 0;
+  }
+  return count;
 }
 
 } // namespace

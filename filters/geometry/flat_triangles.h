@@ -19,7 +19,7 @@ struct FlatRemoval
 {
   TriMesh mesh;
   std::vector<Index> triangleOrigin; ///< per triangle: the input triangle that it is a part of
-  Index cuts = 0;                    ///< how often a triangle was cut in two
+  Index cut = 0;                     ///< input triangles of which there are several parts
 };
 
 /// Takes out the triangles without area, those that name a point twice too, and leaves no gap where
@@ -31,7 +31,8 @@ struct FlatRemoval
 /// Linear time. Throws Cancelled.
 /// @param mesh its triangles name points that are there
 /// @param leastHeight 0: exact, only what lies on a line has no area, and nothing moves; more: so
-///   does what is not higher than that, and corners move that far
+///   does what is not higher than that, and corners move that far, or where cuts would undo each
+///   other by the length of the shortest edge of such a triangle
 FlatRemoval removeFlatTriangles(TriMesh mesh, double leastHeight, Execution& execution);
 
 } // namespace scan

@@ -68,7 +68,7 @@ TEST(RemoveFlatTriangles, LeavesOthersAlone)
   const FlatRemoval removal = withoutFlat(torus);
   EXPECT_EQ(removal.mesh.triangles, torus.triangles);
   EXPECT_EQ(removal.mesh.points, torus.points);
-  EXPECT_EQ(removal.cuts, 0U);
+  EXPECT_EQ(removal.cut, 0U);
 }
 
 TEST(RemoveFlatTriangles, DropsThoseThatNameAPointTwice)
@@ -90,7 +90,7 @@ TEST(RemoveFlatTriangles, CutsTheNeighbourWhereACornerLiesOnItsEdge)
   EXPECT_EQ(removal.mesh.triangles,
     (std::vector<Triangle>{ { 0, 1, 4 }, { 4, 1, 2 }, { 0, 4, 3 }, { 4, 2, 3 } }));
   EXPECT_EQ(removal.triangleOrigin, (std::vector<Index>{ 0, 1, 3, 3 }));
-  EXPECT_EQ(removal.cuts, 1U);
+  EXPECT_EQ(removal.cut, 1U);
 }
 
 TEST(RemoveFlatTriangles, DissolvesLongFans)
