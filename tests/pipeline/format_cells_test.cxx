@@ -183,7 +183,7 @@ const std::multimap<std::string, Sample>& samples()
     { "PTS", { corpusFile("pts/colors.pts") } },
     { "PTS", { "2\n1 2 3\n4 5 6\n" } },
     { "Digibotics contours", { corpusFile("digibotics/slices.dig") } },
-    { "Digibotics contours", { "UNITS MM\nslice 1\n1 2 3\nslice 2\n4 5 6\n" } },
+    { "Digibotics contours", { "UNITS MM\nslice 1\n1 2 3\n4 5 6\nslice 2\n1 2 4\n4 5 7\n" } },
     { "points as text", { "x y z r g b nx ny nz\n1 2 3 7 8 9 0 0 1\n" } },
     { "points as text", { "1 2 3\n4 5 6\n" } },
   };
