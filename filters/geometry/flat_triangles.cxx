@@ -205,7 +205,8 @@ void FlatRemover::mergeShortestEdges(std::span<const Index> flat)
       const Vec3 along = this->at(t[(k + 1) % 3]) - this->at(t[k]);
       return dot(along, along);
     };
-    const std::size_t k = std::ranges::min({ 0UL, 1UL, 2UL }, {}, squared);
+    constexpr std::array kSides = { 0U, 1U, 2U };
+    const std::size_t k = *std::ranges::min_element(kSides, {}, squared);
     const Index a = sets.root(t[k]);
     const Index b = sets.root(t[(k + 1) % 3]);
     if (a != b)
