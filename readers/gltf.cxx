@@ -318,14 +318,20 @@ private:
   {
     Polylines& curves = this->Result.curves;
     const std::size_t begin = curves.corners.size();
+    std::size_t ends = 0; // of segments
     this->forEachCorner(primitive, known, first,
       [&](Index corner)
       {
-        curves.corners.push_back(corner);
-        if (primitive.mode == kLines && (curves.corners.size() - begin) % 2 == 0)
+        ++ends;
+        if (primitive.mode == kLines && ends > 1 && ends % 2 == 1)
         {
+          if (curves.corners.back() == corner) // goes on where the last segment ends
+          {
+            return;
+          }
           curves.endLine();
         }
+        curves.corners.push_back(corner);
       });
     if (primitive.mode == kLineLoop)
     {

@@ -119,10 +119,7 @@ void writeObject(const Model& model, const Object& object, PartNumbering& number
   put(file, static_cast<std::uint16_t>(pointCount));
   for (const Index point : numbering.points())
   {
-    const Vec3& p = model.points[point];
-    put(file,
-      std::array<float, 3>{
-        static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) });
+    put(file, asFloats(model.points[point]));
   }
   constexpr std::array<float, 12> kModelAxes = { 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0 };
   writeChunk(file, Chunk::axes, kModelAxes);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/consistent_model.h"
 
+#include "writers/single_precision.h"
+#include "writers/used_points.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,19 +12,6 @@ namespace scan
 {
 namespace
 {
-
-std::vector<bool> usedPoints(const std::vector<Triangle>& triangles, std::size_t pointCount)
-{
-  std::vector<bool> isUsed(pointCount);
-  for (const Triangle& triangle : triangles)
-  {
-    for (const Index corner : triangle)
-    {
-      isUsed[corner] = true;
-    }
-  }
-  return isUsed;
-}
 
 /// The values at `places`, in that order.
 template <class Value>
@@ -40,16 +30,12 @@ void choose(std::vector<Value>& values, const std::vector<Index>& places)
 void rearrange(
   Model& model, const std::vector<Index>& pointOrigin, const std::vector<bool>& wasUsed)
 {
-  std::vector<bool> isUsed = usedPoints(model.triangles, pointOrigin.size());
-  for (const Index corner : model.curves.corners)
-  {
-    isUsed[corner] = true;
-  }
+  const std::vector<bool> isUsed = usedPoints(model.triangles, model.curves, pointOrigin.size());
   std::vector<Index> places;
   std::vector<Index> number(pointOrigin.size(), kNone);
   for (std::size_t i = 0; i < pointOrigin.size(); ++i)
   {
-    if (isUsed[i] || !wasUsed[pointOrigin[i]])
+    if (isUsed[i] || !wasUsed[pointOrigin[i]] || model.isScan())
     {
       number[i] = static_cast<Index>(places.size());
       places.push_back(pointOrigin[i]);
@@ -68,73 +54,88 @@ void rearrange(
   }
 }
 
-/// Turns the normals that point to the far side of the triangles around them.
-void turnNormals(Model& model)
+/// Mends the surface with its points where the file will have them.
+/// @param stored empty where that is their place
+SurfaceChanges mend(
+  Model& model, std::vector<Vec3> stored, double leastHeight, Execution& execution)
 {
-  std::vector<Vec3> sides(model.normals.empty() ? 0 : model.points.size());
-  for (std::size_t t = 0; t < model.triangles.size() && !sides.empty(); ++t)
-  {
-    const auto& [a, b, c] = model.triangles[t];
-    const Vec3 side = cross(model.points[b] - model.points[a], model.points[c] - model.points[a]);
-    for (const Index corner : model.triangles[t])
-    {
-      sides[corner] = sides[corner] + side;
-    }
-  }
-  for (std::size_t i = 0; i < sides.size(); ++i)
-  {
-    if (dot(model.normals[i], sides[i]) < 0.0)
-    {
-      model.normals[i] = model.normals[i] * -1.0;
-    }
-  }
-}
-
-} // namespace
-
-Model consistentModel(
-  Model model, std::vector<Vec3> stored, double leastHeight, Execution& execution)
-{
-  if (model.triangles.empty())
-  {
-    return model;
-  }
-  const std::vector<bool> wasUsed = usedPoints(model.triangles, model.points.size());
+  const std::vector<bool> wasUsed = usedPoints(model.triangles, model.curves, model.points.size());
   std::vector<Vec3>& decisive = stored.empty() ? model.points : stored;
   ConsistentSurface surface =
     makeConsistent({ std::move(decisive), std::move(model.triangles) }, leastHeight, execution);
   decisive = std::move(surface.mesh.points); // where they were, and copies behind them
   model.triangles = std::move(surface.mesh.triangles);
-  if (surface.isChanged())
+  if (surface.changes.any())
   {
     rearrange(model, surface.pointOrigin, wasUsed);
-    model.note = changesOf(surface);
+    turnNormals(model, surface.isTurned, model.normals);
   }
-  if (surface.turned > 0)
+  return surface.changes;
+}
+
+} // namespace
+
+Model consistentModel(Model model, const FormatTraits& traits, Execution& execution)
+{
+  SurfaceChanges changes;
+  if (traits.precision != Precision::float32 && !model.triangles.empty())
   {
-    turnNormals(model);
+    changes += mend(model, {}, traits.leastHeight, execution);
   }
+  if (traits.precision != Precision::float64 && !model.triangles.empty())
+  {
+    changes +=
+      mend(model, roundedToFloat(model.points, traits.origin), traits.leastHeight, execution);
+  }
+  model.addNote(describe(changes));
   return model;
 }
 
-std::string changesOf(const ConsistentSurface& surface)
+void turnNormals(const TriMesh& mesh, const std::vector<bool>& isTurned, std::vector<Vec3>& normals)
 {
-  std::string changes;
+  if (normals.empty() || std::ranges::find(isTurned, true) == isTurned.end())
+  {
+    return;
+  }
+  std::vector<Vec3> sides(mesh.points.size());
+  std::vector<bool> isOfTurned(mesh.points.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3 side = cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+    for (const Index corner : mesh.triangles[t])
+    {
+      sides[corner] = sides[corner] + side;
+      isOfTurned[corner] = isOfTurned[corner] || isTurned[t];
+    }
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    if (isOfTurned[i] && dot(normals[i], sides[i]) < 0.0)
+    {
+      normals[i] = normals[i] * -1.0;
+    }
+  }
+}
+
+std::string describe(const SurfaceChanges& changes)
+{
+  std::string text;
   const auto add = [&](Index number, const char* thing, const char* what)
   {
     if (number > 0)
     {
-      changes += changes.empty() ? "the surface is mended: " : ", ";
-      changes += std::to_string(number) + " " + thing + (number == 1 ? "" : "s") + " " + what;
+      text += text.empty() ? "the surface is mended: " : ", ";
+      text += std::to_string(number) + " " + thing + (number == 1 ? "" : "s") + " " + what;
     }
   };
-  add(surface.removed, "triangle", "without area left out");
-  add(surface.repeats, "triangle", "that repeats another left out");
-  add(surface.cut, "triangle", "cut");
-  add(surface.turned, "triangle", "turned over");
-  add(surface.edgesSplit, "edge", "split");
-  add(surface.verticesSplit, "point", "repeated");
-  return changes;
+  add(changes.removed, "triangle", "without area left out");
+  add(changes.repeats, "triangle", "that repeats another left out");
+  add(changes.cut, "triangle", "cut");
+  add(changes.turned, "triangle", "turned over");
+  add(changes.edgesSplit, "edge", "split");
+  add(changes.verticesSplit, "point", "repeated");
+  return text;
 }
 
 } // namespace scan

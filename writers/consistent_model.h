@@ -5,6 +5,7 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/consistent_surface.h"
 #include "filters/geometry/model.h"
+#include "writers/format_traits.h"
 
 #include <string>
 #include <vector>
@@ -12,18 +13,23 @@
 namespace scan
 {
 
-/// The model with a surface that every program can work with, see makeConsistent(). Points that are
-/// repeated keep their colours and normals; normals on the far side of triangles that were turned
-/// are turned, too; curves keep their points. Model::note says what was changed, as changesOf().
+/// The model with a surface that every program can work with, see makeConsistent(), also when it
+/// reads the coordinates as the traits say: what has area, and what lies in one place, is decided
+/// by them. Points that are repeated keep their colours and normals; normals are turned as
+/// turnNormals() does; points that only a lost triangle had go, curves keep theirs, and where
+/// neither triangles nor curves are left, all points stay. Model::note says what was changed.
 ///
 /// Throws as makeConsistent().
-/// @param stored the points as the file will hold them, where it rounds; empty where it does not.
-///   What has area, and what lies in one place, is decided by them.
-/// @param leastHeight of a triangle that has area, see removeFlatTriangles()
-Model consistentModel(
-  Model model, std::vector<Vec3> stored, double leastHeight, Execution& execution);
+Model consistentModel(Model model, const FormatTraits& traits, Execution& execution);
+
+/// Turns the normals of points of turned triangles that point to the far side of the triangles
+/// around them.
+/// @param isTurned per triangle
+/// @param normals per point of the mesh, or empty
+void turnNormals(
+  const TriMesh& mesh, const std::vector<bool>& isTurned, std::vector<Vec3>& normals);
 
 /// What was changed, in one line; empty when nothing was.
-std::string changesOf(const ConsistentSurface& surface);
+std::string describe(const SurfaceChanges& changes);
 
 } // namespace scan

@@ -44,17 +44,11 @@ enum GlTf : int
   kVertexBuffer = 34962,
   kIndexBuffer = 34963,
   kPoints = 0,
+  kLines = 1,
   kLineLoop = 2,
   kLineStrip = 3,
   kTriangles = 4
 };
-
-FloatVec stored(const Vec3& point, const Vec3& origin)
-{
-  const Vec3 offset = point - origin;
-  return { static_cast<float>(offset.x), static_cast<float>(offset.y),
-    static_cast<float>(offset.z) };
-}
 
 double largest(const Vec3& v)
 {
@@ -93,14 +87,14 @@ std::vector<Vec3> unitNormals(const Model& model)
 class GlbWriter
 {
 public:
-  GlbWriter(const Model& model, OutputFile& file, Execution& execution)
+  GlbWriter(const Model& model, const Vec3& origin, OutputFile& file, Execution& execution)
     : Source(model)
     , File(file)
     , Progress(execution,
         model.points.size() + model.normals.size() + model.colors.size() + model.triangles.size() +
           model.curves.corners.size())
     , Box(model.points)
-    , Origin(originForFloats(model.points))
+    , Origin(origin)
   {
   }
 
@@ -173,8 +167,8 @@ private:
     Json attributes;
     attributes["POSITION"] = this->addAttribute(json, sizeof(FloatVec), "VEC3", kFloat);
     // rounding is monotonic: the bounds of the stored numbers are the stored bounds
-    json["accessors"][0]["min"] = stored(this->Box.low, this->Origin);
-    json["accessors"][0]["max"] = stored(this->Box.high, this->Origin);
+    json["accessors"][0]["min"] = asFloats(this->Box.low - this->Origin);
+    json["accessors"][0]["max"] = asFloats(this->Box.high - this->Origin);
     if (!this->Source.normals.empty())
     {
       attributes["NORMAL"] = this->addAttribute(json, sizeof(FloatVec), "VEC3", kFloat);
@@ -188,7 +182,54 @@ private:
     return attributes;
   }
 
-  /// The points of a scan, or the triangles and one primitive a curve.
+  bool hasManyCurves() const { return this->Source.curves.size() > kMostGlbCurves; }
+
+  std::size_t segmentCount() const
+  {
+    const Polylines& curves = this->Source.curves;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      count += curves[i].size() - std::min<std::size_t>(curves[i].size(), 1);
+    }
+    return count;
+  }
+
+  /// A strip or a loop for each curve.
+  std::vector<Json> eachCurve(Json& json)
+  {
+    const Polylines& curves = this->Source.curves;
+    if (curves.empty())
+    {
+      return {};
+    }
+    const std::size_t view =
+      this->addView(json, curves.corners.size() * sizeof(Index), kIndexBuffer);
+    std::vector<Json> primitives;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      const bool isLoop = isClosed(curves[i]) && curves[i].size() > 3; // a loop does not repeat
+      const std::size_t accessor =
+        addAccessor(json, view, curves[i].size() - (isLoop ? 1 : 0), "SCALAR", kUnsignedInt);
+      json["accessors"][accessor]["byteOffset"] = begin * sizeof(Index);
+      primitives.push_back(
+        { { "mode", isLoop ? kLineLoop : kLineStrip }, { "indices", accessor } });
+      begin += curves[i].size();
+    }
+    return primitives;
+  }
+
+  /// All segments of all curves in one: a primitive each would be megabytes of JSON.
+  std::vector<Json> allSegments(Json& json)
+  {
+    const std::size_t ends = 2 * this->segmentCount();
+    const std::size_t view = this->addView(json, ends * sizeof(Index), kIndexBuffer);
+    return { { { "mode", kLines },
+      { "indices", addAccessor(json, view, ends, "SCALAR", kUnsignedInt) } } };
+  }
+
+  /// The points of a scan, or the triangles and the curves.
   Json primitives(Json& json)
   {
     const Json attributes = this->attributes(json);
@@ -209,19 +250,12 @@ private:
           { "doubleSided", true } }
       };
     }
-    const Polylines& curves = this->Source.curves;
-    const std::size_t view =
-      curves.empty() ? 0 : this->addView(json, curves.corners.size() * sizeof(Index), kIndexBuffer);
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < curves.size(); ++i)
+    const std::vector<Json> curves =
+      this->hasManyCurves() ? this->allSegments(json) : this->eachCurve(json);
+    for (Json primitive : curves)
     {
-      const bool isLoop = isClosed(curves[i]) && curves[i].size() > 3; // a loop does not repeat
-      const std::size_t accessor =
-        addAccessor(json, view, curves[i].size() - (isLoop ? 1 : 0), "SCALAR", kUnsignedInt);
-      json["accessors"][accessor]["byteOffset"] = begin * sizeof(Index);
-      primitives.push_back({ { "attributes", attributes },
-        { "mode", isLoop ? kLineLoop : kLineStrip }, { "indices", accessor } });
-      begin += curves[i].size();
+      primitive["attributes"] = attributes;
+      primitives.push_back(std::move(primitive));
     }
     return primitives;
   }
@@ -274,8 +308,9 @@ private:
   {
     const Model& model = this->Source;
     const auto asItIs = [](const auto& value) { return value; };
-    this->putAll(model.points, [this](const Vec3& point) { return stored(point, this->Origin); });
-    this->putAll(unitNormals(model), [](const Vec3& normal) { return stored(normal, {}); });
+    this->putAll(
+      model.points, [this](const Vec3& point) { return asFloats(point - this->Origin); });
+    this->putAll(unitNormals(model), asFloats);
     this->putAll(model.colors,
       [](const Color& color)
       {
@@ -284,7 +319,27 @@ private:
         return Rgba{ light(0), light(1), light(2), kOpaque };
       });
     this->putAll(model.triangles, asItIs);
-    this->putAll(model.curves.corners, asItIs);
+    if (this->hasManyCurves())
+    {
+      this->putSegments();
+    }
+    else
+    {
+      this->putAll(model.curves.corners, asItIs);
+    }
+  }
+
+  void putSegments()
+  {
+    const Polylines& curves = this->Source.curves;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+    {
+      for (std::size_t k = 1; k < curves[i].size(); ++k)
+      {
+        this->Progress.next();
+        this->put(std::array{ curves[i][k - 1], curves[i][k] });
+      }
+    }
   }
 
   const Model& Source;
@@ -297,9 +352,9 @@ private:
 
 } // namespace
 
-void writeGlb(const Model& model, OutputFile& file, Execution& execution)
+void writeGlb(const Model& model, const Vec3& origin, OutputFile& file, Execution& execution)
 {
-  GlbWriter(model, file, execution).write();
+  GlbWriter(model, origin, file, execution).write();
 }
 
 } // namespace scan

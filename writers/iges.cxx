@@ -10,6 +10,7 @@
 #include "writers/iges_solid.h"
 #include "writers/requirements.h"
 #include "writers/triangle_plane.h"
+#include "writers/used_points.h"
 
 #include <algorithm>
 #include <array>
@@ -88,9 +89,8 @@ std::string_view describe(IgesEntities entities)
 }
 
 /// The largest coordinate, as an absolute value.
-double largest(const Model& model)
+double largest(const BoundingBox& box)
 {
-  const BoundingBox box(model.points);
   double most = 0.0;
   for (const Vec3& end : { box.low, box.high })
   {
@@ -99,14 +99,22 @@ double largest(const Model& model)
   return most;
 }
 
+double resolutionIn(const BoundingBox& box)
+{
+  // finer than the triangles, coarser than the rounding of planes
+  const double resolution = 1e-8 * box.diagonal() + 1e-14 * largest(box);
+  return resolution > 0.0 ? resolution : 1e-8;
+}
+
 IgesHeader headerOf(const Model& model, IgesEntities entities)
 {
   const NamedUnit& unit = *unitOf(model);
+  const BoundingBox box(entities == IgesEntities::points ? model.points : shapePoints(model));
   return { .description = describe(entities),
     .unitFlag = unit.flag,
     .unitName = unit.name,
-    .resolution = igesResolution(model),
-    .largest = largest(model) };
+    .resolution = resolutionIn(box),
+    .largest = largest(box) };
 }
 
 void putPoints(const TriMesh& mesh, IgesSink& sink)
@@ -232,9 +240,7 @@ void writeIges(
 
 double igesResolution(const Model& model)
 {
-  // finer than the triangles, coarser than the rounding of planes
-  const double resolution = 1e-8 * BoundingBox(model.points).diagonal() + 1e-14 * largest(model);
-  return resolution > 0.0 ? resolution : 1e-8;
+  return resolutionIn(BoundingBox(shapePoints(model)));
 }
 
 } // namespace scan

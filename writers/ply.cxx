@@ -3,13 +3,13 @@
 #include "writers/ply.h"
 
 #include "writers/requirements.h"
+#include "writers/single_precision.h"
 #include "writers/text_line.h"
 #include "writers/write_progress.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -22,16 +22,9 @@ namespace
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written in place");
 
-bool fitsFloat(double value)
-{
-  return std::abs(value) <= std::numeric_limits<float>::max() &&
-    static_cast<double>(static_cast<float>(value)) == value;
-}
-
 bool fitsFloat(const std::vector<Vec3>& vectors)
 {
-  return std::all_of(vectors.begin(), vectors.end(),
-    [](const Vec3& v) { return fitsFloat(v.x) && fitsFloat(v.y) && fitsFloat(v.z); });
+  return std::ranges::all_of(vectors, [](const Vec3& v) { return roundedToFloat(v) == v; });
 }
 
 std::string properties(const std::string& type, const std::array<const char*, 3>& names)

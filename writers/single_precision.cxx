@@ -16,17 +16,23 @@ namespace scan
 namespace
 {
 
-Vec3 rounded(const Vec3& p)
-{
-  return { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) };
-}
-
 double largest(const Vec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
 } // namespace
+
+[[gnu::noinline]] std::array<float, 3> asFloats(const Vec3& point)
+{
+  return { static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z) };
+}
+
+Vec3 roundedToFloat(const Vec3& point)
+{
+  const auto [x, y, z] = asFloats(point);
+  return { x, y, z };
+}
 
 void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::string& format)
 {
@@ -44,7 +50,7 @@ Vec3 originForFloats(const std::vector<Vec3>& points)
 {
   const BoundingBox box(points);
   const bool isFar = std::max(largest(box.low), largest(box.high)) > largest(box.high - box.low);
-  const auto isFloat = [](const Vec3& p) { return rounded(p) == p; };
+  const auto isFloat = [](const Vec3& p) { return roundedToFloat(p) == p; };
   return isFar && !std::ranges::all_of(points, isFloat) ? (box.low + box.high) * 0.5 : Vec3{};
 }
 
@@ -52,7 +58,7 @@ std::vector<Vec3> roundedToFloat(const std::vector<Vec3>& points, const Vec3& or
 {
   std::vector<Vec3> result(points.size());
   std::ranges::transform(
-    points, result.begin(), [&](const Vec3& point) { return rounded(point - origin); });
+    points, result.begin(), [&](const Vec3& point) { return roundedToFloat(point - origin); });
   return result;
 }
 
@@ -62,7 +68,7 @@ std::string noteOnRounding(const std::vector<Vec3>& points)
   double most = 0.0;
   for (const Vec3& point : points)
   {
-    const Vec3 change = rounded(point) - point;
+    const Vec3 change = roundedToFloat(point) - point;
     most = std::max(most, dot(change, change));
   }
   most = std::sqrt(most);

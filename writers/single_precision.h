@@ -4,12 +4,19 @@
 
 #include "filters/geometry/mesh.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
 /// What formats with coordinates of float32 do to a model.
 namespace scan
 {
+
+/// The nearest float32. Out of line: where GCC 12 vectorizes a conversion there and back it leaves
+/// out both.
+std::array<float, 3> asFloats(const Vec3& point);
+
+Vec3 roundedToFloat(const Vec3& point);
 
 /// Throws Error limit when a coordinate exceeds what a float32 of the format holds.
 void requireFloatRange(const TriMesh& mesh, const std::string& file, const std::string& format);

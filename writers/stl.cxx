@@ -45,15 +45,17 @@ void writeBinary(const TriMesh& mesh, OutputFile& file, Execution& execution)
     {
       execution.step("write", i, mesh.triangles.size());
     }
-    const auto& [a, b, c] = mesh.triangles[i];
-    const std::array<Vec3, 4> vectors = { normalOf(mesh.points[a], mesh.points[b], mesh.points[c]),
-      mesh.points[a], mesh.points[b], mesh.points[c] };
+    std::array<Vec3, 4> vectors = {}; // the normal and the corners
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      vectors[k + 1] = roundedToFloat(mesh.points[mesh.triangles[i][k]]);
+    }
+    vectors[0] = normalOf(vectors[1], vectors[2], vectors[3]);
     std::array<char, 50> record = {}; // ends with two bytes of attributes, 0
     char* at = record.data();
     for (const Vec3& v : vectors)
     {
-      const std::array<float, 3> single = { static_cast<float>(v.x), static_cast<float>(v.y),
-        static_cast<float>(v.z) };
+      const std::array<float, 3> single = asFloats(v);
       std::memcpy(at, single.data(), sizeof(single));
       at += sizeof(single);
     }

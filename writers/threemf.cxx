@@ -6,8 +6,8 @@
 #include "filters/base/unit.h"
 #include "filters/geometry/half_edges.h"
 #include "writers/requirements.h"
-#include "writers/single_precision.h"
 #include "writers/text_line.h"
+#include "writers/used_points.h"
 #include "writers/zip_writer.h"
 
 #include <algorithm>
@@ -86,11 +86,11 @@ void appendTriangle(std::string& text, const Triangle& triangle)
 class ModelPart
 {
 public:
-  ModelPart(const Model& model, ZipWriter& zip, Execution& execution)
+  ModelPart(const Model& model, const Vec3& origin, ZipWriter& zip, Execution& execution)
     : Source(model)
     , Zip(zip)
     , Run(execution)
-    , Origin(originForFloats(model.points))
+    , Origin(origin)
     , Total(model.points.size() + model.triangles.size())
   {
     const std::size_t count = std::max<std::size_t>(4 * execution.threads(), 4);
@@ -190,7 +190,7 @@ private:
   std::size_t Done = 0;
 };
 
-void check(const Model& model, const OutputFile& file)
+void check(const Model& model, const Vec3& origin, const OutputFile& file)
 {
   requireTriangles(model, file, "3MF");
   const auto bad = std::ranges::find_if(model.triangles, isCollapsed);
@@ -201,7 +201,6 @@ void check(const Model& model, const OutputFile& file)
         ", counted from 0, uses a point twice, which 3MF forbids; remove such triangles");
   }
   constexpr double kLargest = 1e9; // of lib3mf, which most programs read with
-  const Vec3 origin = originForFloats(model.points);
   const auto isFar = [&](const Vec3& p)
   {
     const Vec3 place = p - origin;
@@ -214,15 +213,43 @@ void check(const Model& model, const OutputFile& file)
   }
 }
 
+/// The surface with these of its points alone.
+Model withPoints(const std::vector<bool>& isUsed, const Model& model)
+{
+  Model result;
+  result.millimetresPerUnit = model.millimetresPerUnit;
+  result.triangles = model.triangles;
+  std::vector<Index> number(isUsed.size(), kNone);
+  for (std::size_t i = 0; i < isUsed.size(); ++i)
+  {
+    if (isUsed[i])
+    {
+      number[i] = static_cast<Index>(result.points.size());
+      result.points.push_back(model.points[i]);
+    }
+  }
+  for (Triangle& triangle : result.triangles)
+  {
+    triangle = { number[triangle[0]], number[triangle[1]], number[triangle[2]] };
+  }
+  return result;
+}
+
 } // namespace
 
-void writeThreemf(const Model& model, OutputFile& file, Execution& execution)
+void writeThreemf(const Model& model, const Vec3& origin, OutputFile& file, Execution& execution)
 {
-  check(model, file);
+  const std::vector<bool> isUsed = usedPoints(model.triangles, {}, model.points.size());
+  if (!model.triangles.empty() && std::ranges::find(isUsed, false) != isUsed.end())
+  {
+    writeThreemf(withPoints(isUsed, model), origin, file, execution);
+    return;
+  }
+  check(model, origin, file);
   ZipWriter zip(file);
   zip.add("[Content_Types].xml", std::string(kXml).append(kContentTypes));
   zip.add("_rels/.rels", std::string(kXml).append(kRelationships));
-  ModelPart(model, zip, execution).write();
+  ModelPart(model, origin, zip, execution).write();
   zip.finish();
 }
 

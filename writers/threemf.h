@@ -14,14 +14,14 @@ namespace scan
 ///
 /// The file has one object, and the unit that millimetresPerUnit says: micron, millimeter,
 /// centimeter, inch, foot or meter; millimetres for 0, and for any other unit with a transform that
-/// scales. Programs read coordinates as float32: those of a model that is far from the origin are
-/// stored from its middle on, and the transform moves them there. Points that no triangle uses
-/// stay; colours and normals have no place in the core format. The same model gives the same bytes
-/// on any number of threads.
+/// scales. Programs read coordinates as float32: `origin` is subtracted from them, and the
+/// transform adds it again; that of originForFloats() keeps the rounding small. Points that no
+/// triangle uses are left out; colours and normals have no place in the core format. The same model
+/// gives the same bytes on any number of threads.
 ///
 /// Throws Error badInput without triangles and for a triangle that uses a point twice, which the
 /// format forbids; Error limit for coordinates beyond 1e9 and for 4 GiB of text, about 60 million
 /// triangles. Phase "write".
-void writeThreemf(const Model& model, OutputFile& file, Execution& execution);
+void writeThreemf(const Model& model, const Vec3& origin, OutputFile& file, Execution& execution);
 
 } // namespace scan

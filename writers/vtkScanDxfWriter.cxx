@@ -6,8 +6,13 @@
 
 vtkStandardNewMacro(vtkScanDxfWriter);
 
-void vtkScanDxfWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanDxfWriter::Traits(const scan::Model&) const
+{
+  return { .hasLoosePoints = false };
+}
+
+void vtkScanDxfWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeDxf(model, { .faces = this->Faces }, file, execution);
 }

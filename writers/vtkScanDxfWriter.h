@@ -24,8 +24,9 @@ protected:
   vtkScanDxfWriter() = default;
   ~vtkScanDxfWriter() override = default;
 
-  void Format(
-    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+  scan::FormatTraits Traits(const scan::Model& model) const override;
+  void Format(const scan::Model& model, const scan::FormatTraits& traits, scan::OutputFile& file,
+    scan::Execution& execution) const override;
 
 private:
   scan::DxfFaces Faces = scan::DxfFaces::face3d;

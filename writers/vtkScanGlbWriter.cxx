@@ -5,23 +5,29 @@
 #include "writers/glb.h"
 #include "writers/single_precision.h"
 #include "writers/unit_note.h"
+#include "writers/used_points.h"
 
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkScanGlbWriter);
 
-void vtkScanGlbWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanGlbWriter::Traits(const scan::Model& model) const
 {
-  scan::writeGlb(model, file, execution);
+  return { .precision = scan::Precision::float32,
+    .origin = scan::originForFloats(scan::shapePoints(model)) };
 }
 
-std::vector<scan::Vec3> vtkScanGlbWriter::Stored(const std::vector<scan::Vec3>& points) const
+void vtkScanGlbWriter::Format(const scan::Model& model, const scan::FormatTraits& traits,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
-  return scan::roundedToFloat(points, scan::originForFloats(points));
+  scan::writeGlb(model, traits.origin, file, execution);
 }
 
 std::string vtkScanGlbWriter::NoteOn(const scan::Model& model) const
 {
-  return scan::noteOnUnit(model);
+  const std::string unit = scan::noteOnUnit(model);
+  return model.curves.size() <= scan::kMostGlbCurves
+    ? unit
+    : unit + (unit.empty() ? "" : "; ") + std::to_string(model.curves.size()) +
+      " curves are written as loose segments, which glTF programs draw faster";
 }

@@ -7,23 +7,36 @@
 
 vtkStandardNewMacro(vtkScanIgesWriter);
 
-void vtkScanIgesWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanIgesWriter::Traits(const scan::Model& model) const
 {
-  scan::writeIges(model, { .entities = this->Entities }, file, execution);
+  return this->Entities == scan::IgesEntities::points
+    ? scan::FormatTraits{ .hasTriangles = false }
+    : scan::FormatTraits{ .hasLoosePoints = false, .leastHeight = scan::igesResolution(model) };
 }
 
-double vtkScanIgesWriter::LeastHeight(const scan::Model& model) const
+void vtkScanIgesWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
-  return scan::igesResolution(model);
+  scan::writeIges(model, { .entities = this->Entities }, file, execution);
 }
 
 std::string vtkScanIgesWriter::NoteOn(const scan::Model& model) const
 {
   constexpr std::size_t kMany = 50000;
-  const std::string unit = scan::noteOnUnit(model);
-  return model.triangles.size() <= kMany || this->Entities == scan::IgesEntities::points
-    ? unit
-    : unit + (unit.empty() ? "" : "; ") + std::to_string(model.triangles.size()) +
-      " triangles are as many surfaces to a CAD program, and most struggle above 50000";
+  const std::size_t triangles = model.triangles.size();
+  std::string note = scan::noteOnUnit(model);
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (this->Entities == scan::IgesEntities::points)
+  {
+    if (!model.isScan())
+    {
+      add("points alone are written, as asked, no triangles and curves");
+    }
+  }
+  else if (triangles > kMany)
+  {
+    add(std::to_string(triangles) +
+      " triangles are as many surfaces to a CAD program, and most struggle above 50000");
+  }
+  return note;
 }

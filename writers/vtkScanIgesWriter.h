@@ -24,9 +24,9 @@ protected:
   vtkScanIgesWriter() = default;
   ~vtkScanIgesWriter() override = default;
 
-  void Format(
-    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
-  double LeastHeight(const scan::Model& model) const override;
+  scan::FormatTraits Traits(const scan::Model& model) const override;
+  void Format(const scan::Model& model, const scan::FormatTraits& traits, scan::OutputFile& file,
+    scan::Execution& execution) const override;
   std::string NoteOn(const scan::Model& model) const override;
 
 private:

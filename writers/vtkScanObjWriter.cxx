@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanObjWriter);
 
-void vtkScanObjWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+void vtkScanObjWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeObj(model, file, execution);
 }

@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanOffWriter);
 
-void vtkScanOffWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+void vtkScanOffWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeOff(model, file, execution);
 }

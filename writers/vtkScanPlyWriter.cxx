@@ -8,8 +8,8 @@
 
 vtkStandardNewMacro(vtkScanPlyWriter);
 
-void vtkScanPlyWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+void vtkScanPlyWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writePly(model, { .encoding = this->Encoding }, file, execution);
 }

@@ -17,6 +17,6 @@ protected:
   vtkScanPlyWriter() = default;
   ~vtkScanPlyWriter() override = default;
 
-  void Format(
-    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+  void Format(const scan::Model& model, const scan::FormatTraits& traits, scan::OutputFile& file,
+    scan::Execution& execution) const override;
 };

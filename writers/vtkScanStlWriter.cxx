@@ -2,26 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/vtkScanStlWriter.h"
 
-#include "writers/single_precision.h"
 #include "writers/stl.h"
 
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkScanStlWriter);
 
-void vtkScanStlWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanStlWriter::Traits(const scan::Model&) const
+{
+  const bool isBinary = this->Encoding == scan::Encoding::binary;
+  return { .hasLoosePoints = false,
+    .precision = isBinary ? scan::Precision::float32 : scan::Precision::float64 };
+}
+
+void vtkScanStlWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeStl(model, { .encoding = this->Encoding }, file, execution);
-}
-
-std::vector<scan::Vec3> vtkScanStlWriter::Stored(const std::vector<scan::Vec3>& points) const
-{
-  return this->Encoding == scan::Encoding::binary ? scan::roundedToFloat(points)
-                                                  : std::vector<scan::Vec3>();
-}
-
-std::string vtkScanStlWriter::NoteOn(const scan::Model& model) const
-{
-  return this->Encoding == scan::Encoding::binary ? scan::noteOnRounding(model.points) : "";
 }

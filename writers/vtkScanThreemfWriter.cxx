@@ -6,20 +6,23 @@
 #include "writers/single_precision.h"
 #include "writers/threemf.h"
 #include "writers/unit_note.h"
+#include "writers/used_points.h"
 
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkScanThreemfWriter);
 
-void vtkScanThreemfWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanThreemfWriter::Traits(const scan::Model& model) const
 {
-  scan::writeThreemf(model, file, execution);
+  return { .hasLoosePoints = false,
+    .precision = scan::Precision::float64ReadAsFloat32,
+    .origin = scan::originForFloats(scan::shapePoints(model)) };
 }
 
-std::vector<scan::Vec3> vtkScanThreemfWriter::Stored(const std::vector<scan::Vec3>& points) const
+void vtkScanThreemfWriter::Format(const scan::Model& model, const scan::FormatTraits& traits,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
-  return scan::roundedToFloat(points, scan::originForFloats(points));
+  scan::writeThreemf(model, traits.origin, file, execution);
 }
 
 std::string vtkScanThreemfWriter::NoteOn(const scan::Model& model) const

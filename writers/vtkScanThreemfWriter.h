@@ -17,8 +17,8 @@ protected:
   vtkScanThreemfWriter() = default;
   ~vtkScanThreemfWriter() override = default;
 
-  void Format(
-    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
-  std::vector<scan::Vec3> Stored(const std::vector<scan::Vec3>& points) const override;
+  scan::FormatTraits Traits(const scan::Model& model) const override;
+  void Format(const scan::Model& model, const scan::FormatTraits& traits, scan::OutputFile& file,
+    scan::Execution& execution) const override;
   std::string NoteOn(const scan::Model& model) const override;
 };

@@ -3,15 +3,19 @@
 #include "writers/vtkScanVrmlWriter.h"
 
 #include "writers/inventor.h"
-#include "writers/single_precision.h"
 #include "writers/vrml97.h"
 
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkScanVrmlWriter);
 
-void vtkScanVrmlWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanVrmlWriter::Traits(const scan::Model&) const
+{
+  return { .precision = scan::Precision::float64ReadAsFloat32 };
+}
+
+void vtkScanVrmlWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   if (this->Version1)
   {
@@ -21,14 +25,4 @@ void vtkScanVrmlWriter::Format(
   {
     scan::writeVrml97(model, file, execution);
   }
-}
-
-std::vector<scan::Vec3> vtkScanVrmlWriter::Stored(const std::vector<scan::Vec3>& points) const
-{
-  return scan::roundedToFloat(points); // every digit is written, but this is how programs read it
-}
-
-std::string vtkScanVrmlWriter::NoteOn(const scan::Model& model) const
-{
-  return scan::noteOnRounding(model.points);
 }

@@ -61,24 +61,43 @@ std::string encode(vtkPolyData* data, scan::Execution& execution)
   return encoder->GetOutputString();
 }
 
-/// The cell that each triangle of bridge::meshOf() comes from.
-std::vector<vtkIdType> cellsOfTriangles(vtkPolyData& data)
+/// Turns what points to the far side of triangles that were turned over: normals of points, and of
+/// the triangles from cell `firstTriangle` on.
+void turnNormals(const scan::ConsistentSurface& surface, vtkIdType firstTriangle, vtkPolyData& data)
 {
-  std::vector<vtkIdType> cells;
-  vtkIdType cell = data.GetNumberOfVerts() + data.GetNumberOfLines();
-  for (vtkCellArray* const kind : { data.GetPolys(), data.GetStrips() })
+  const scan::TriMesh& mesh = surface.mesh;
+  if (vtkDataArray* const array = data.GetPointData()->GetNormals())
   {
-    for (vtkIdType i = 0; i < kind->GetNumberOfCells(); ++i, ++cell)
+    std::vector<scan::Vec3> normals(mesh.points.size());
+    for (std::size_t i = 0; i < normals.size(); ++i)
     {
-      cells.insert(cells.end(),
-        static_cast<std::size_t>(std::max<vtkIdType>(kind->GetCellSize(i) - 2, 0)), cell);
+      const double* const n = array->GetTuple3(static_cast<vtkIdType>(i));
+      normals[i] = { n[0], n[1], n[2] };
+    }
+    scan::turnNormals(mesh, surface.isTurned, normals);
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      array->SetTuple3(static_cast<vtkIdType>(i), normals[i].x, normals[i].y, normals[i].z);
     }
   }
-  return cells;
+  vtkDataArray* const array = data.GetCellData()->GetNormals();
+  for (std::size_t t = 0; t < mesh.triangles.size() && array != nullptr; ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const scan::Vec3 side = cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+    const vtkIdType cell = firstTriangle + static_cast<vtkIdType>(t);
+    const double* const n = array->GetTuple3(cell);
+    if (surface.isTurned[t] && dot({ n[0], n[1], n[2] }, side) < 0.0)
+    {
+      array->SetTuple3(cell, -n[0], -n[1], -n[2]);
+    }
+  }
 }
 
 /// The data on another surface; verts and lines stay, since points do.
-vtkSmartPointer<vtkPolyData> dataOn(const scan::ConsistentSurface& surface, vtkPolyData& data)
+/// @param cellOf the cell that each triangle was a part of
+vtkSmartPointer<vtkPolyData> dataOn(
+  const scan::ConsistentSurface& surface, const std::vector<vtkIdType>& cellOf, vtkPolyData& data)
 {
   const auto result = vtkSmartPointer<vtkPolyData>::New();
   scan::bridge::setMesh(*result, surface.mesh);
@@ -97,13 +116,13 @@ vtkSmartPointer<vtkPolyData> dataOn(const scan::ConsistentSurface& surface, vtkP
   };
   copy(*data.GetPointData(), *result->GetPointData(),
     { surface.pointOrigin.begin(), surface.pointOrigin.end() });
-  std::vector<vtkIdType> cells(
-    static_cast<std::size_t>(data.GetNumberOfVerts() + data.GetNumberOfLines()));
+  const vtkIdType others = data.GetNumberOfVerts() + data.GetNumberOfLines();
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(others));
   std::iota(cells.begin(), cells.end(), 0);
-  const std::vector<vtkIdType> cellOf = cellsOfTriangles(data);
   std::ranges::transform(surface.triangleOrigin, std::back_inserter(cells),
     [&](scan::Index triangle) { return cellOf[triangle]; });
   copy(*data.GetCellData(), *result->GetCellData(), cells);
+  turnNormals(surface, others, *result);
   return result;
 }
 
@@ -133,10 +152,11 @@ void vtkScanVtpWriter::WriteFile(
   execution.step("write", 0, 2);
   if (this->Consistent)
   {
+    std::vector<vtkIdType> cells;
     const scan::ConsistentSurface surface =
-      scan::makeConsistent(scan::bridge::meshOf(*data), 0.0, execution);
-    data = surface.isChanged() ? dataOn(surface, *data) : data;
-    this->AddNote(scan::changesOf(surface));
+      scan::makeConsistent(scan::bridge::meshOf(*data, &cells), 0.0, execution);
+    data = surface.changes.any() ? dataOn(surface, cells, *data) : data;
+    this->AddNote(scan::describe(surface.changes));
   }
   file.write(encode(data, execution));
   execution.step("write", 2, 2); // a cancel comes too late once the file has its name

@@ -4,11 +4,51 @@
 
 #include "filters/base/vtkScanMeshBridge.h"
 #include "writers/consistent_model.h"
+#include "writers/output_file.h"
+#include "writers/single_precision.h"
+#include "writers/used_points.h"
 
 #include <vtkInformation.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
+
+namespace
+{
+
+scan::Model consistentModelFor(const scan::OutputFile& file, scan::Model model,
+  const scan::FormatTraits& traits, scan::Execution& execution)
+{
+  const std::size_t before = model.triangles.size();
+  scan::Model result = scan::consistentModel(std::move(model), traits, execution);
+  const bool isCoarse = traits.precision != scan::Precision::float64 || traits.leastHeight > 0.0;
+  if (before > 0 && result.triangles.empty() && isCoarse)
+  {
+    throw scan::Error(scan::ErrorCode::badInput,
+      file.name() + ": none of the " + std::to_string(before) +
+        " triangles has an area in the digits of the format; write PLY, OBJ or ascii STL");
+  }
+  return result;
+}
+
+std::string noteOnLoosePoints(const scan::Model& model, const scan::FormatTraits& traits)
+{
+  if (traits.hasLoosePoints || model.isScan())
+  {
+    return {};
+  }
+  const std::vector<bool> isUsed =
+    scan::usedPoints(model.triangles, model.curves, model.points.size());
+  const auto loose = std::ranges::count(isUsed, false);
+  return loose == 0
+    ? ""
+    : std::to_string(loose) + (loose == 1 ? " point" : " points") + " that nothing uses left out";
+}
+
+} // namespace
 
 void vtkScanWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -28,25 +68,32 @@ void vtkScanWriter::WriteFile(
   vtkDataObject& input, scan::OutputFile& file, scan::Execution& execution)
 {
   scan::Model model = scan::bridge::modelOf(*vtkPolyData::SafeDownCast(&input));
-  if (this->Consistent)
+  const scan::FormatTraits traits = this->Traits(model);
+  if (this->Consistent && traits.hasTriangles)
   {
-    std::vector<scan::Vec3> stored = this->Stored(model.points);
-    const double leastHeight = this->LeastHeight(model);
-    model = scan::consistentModel(std::move(model), std::move(stored), leastHeight, execution);
-    this->AddNote(model.note);
+    model = consistentModelFor(file, std::move(model), traits, execution);
   }
-  this->AddNote(this->NoteOn(model));
-  this->Format(model, file, execution);
+  model.addNote(noteOnLoosePoints(model, traits));
+  if (traits.precision != scan::Precision::float64 && traits.origin == scan::Vec3{})
+  {
+    model.addNote(scan::noteOnRounding(scan::shapePoints(model)));
+  }
+  model.addNote(this->NoteOn(model));
+  this->AddNote(model.note);
+  try
+  {
+    this->Format(model, traits, file, execution);
+  }
+  catch (const scan::Error& error)
+  {
+    throw model.note.empty() ? error
+                             : scan::Error(error.code(), error.what() + (" (" + model.note + ")"));
+  }
 }
 
-std::vector<scan::Vec3> vtkScanWriter::Stored(const std::vector<scan::Vec3>&) const
+scan::FormatTraits vtkScanWriter::Traits(const scan::Model&) const
 {
   return {};
-}
-
-double vtkScanWriter::LeastHeight(const scan::Model&) const
-{
-  return 0.0;
 }
 
 std::string vtkScanWriter::NoteOn(const scan::Model&) const

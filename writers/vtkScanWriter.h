@@ -4,13 +4,13 @@
 
 #include "filters/geometry/model.h"
 #include "writers/encoding.h"
+#include "writers/format_traits.h"
 #include "writers/vtkScanFileWriter.h"
 
 #include <string>
-#include <vector>
 
-/// Base of the writers of models: makes a model of a vtkPolyData and mends its surface. A subclass
-/// names its formatter in Format().
+/// Base of the writers of models: makes a model of a vtkPolyData, mends its surface, and notes what
+/// the file cannot hold. A subclass names its formatter in Format().
 class SCANWRITERS_EXPORT vtkScanWriter : public vtkScanFileWriter
 {
 public:
@@ -37,18 +37,16 @@ protected:
   vtkScanWriter() = default;
   ~vtkScanWriter() override = default;
 
-  /// Writes the model without committing the file. Throws scan::Error. Phase "write".
-  virtual void Format(
-    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const = 0;
+  /// What a file holds of this model, with the settings of the writer. Default: everything.
+  virtual scan::FormatTraits Traits(const scan::Model& model) const;
 
-  /// The points as the file will hold them, up to a translation; none, the default, where it keeps
-  /// every digit.
-  virtual std::vector<scan::Vec3> Stored(const std::vector<scan::Vec3>& points) const;
+  /// Writes the model, made ready as the traits of the input ask for, without committing the file.
+  /// Throws scan::Error. Phase "write".
+  virtual void Format(const scan::Model& model, const scan::FormatTraits& traits,
+    scan::OutputFile& file, scan::Execution& execution) const = 0;
 
-  /// Triangles that are not higher have no area for the format. Default: 0, exactly none.
-  virtual double LeastHeight(const scan::Model& model) const;
-
-  /// One line on what the format does to the model; empty, the default, when nothing noteworthy.
+  /// One line on what the format does to the model, beside what the traits say; empty, the default,
+  /// when nothing noteworthy.
   virtual std::string NoteOn(const scan::Model& model) const;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -8,8 +8,13 @@
 
 vtkStandardNewMacro(vtkScanXyzWriter);
 
-void vtkScanXyzWriter::Format(
-  const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const
+scan::FormatTraits vtkScanXyzWriter::Traits(const scan::Model&) const
+{
+  return { .hasTriangles = false };
+}
+
+void vtkScanXyzWriter::Format(const scan::Model& model, const scan::FormatTraits&,
+  scan::OutputFile& file, scan::Execution& execution) const
 {
   scan::writeXyz(model, file, execution);
 }

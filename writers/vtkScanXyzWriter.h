@@ -17,6 +17,7 @@ protected:
   vtkScanXyzWriter() { this->Consistent = false; } // no triangles are written
   ~vtkScanXyzWriter() override = default;
 
-  void Format(
-    const scan::Model& model, scan::OutputFile& file, scan::Execution& execution) const override;
+  scan::FormatTraits Traits(const scan::Model& model) const override;
+  void Format(const scan::Model& model, const scan::FormatTraits& traits, scan::OutputFile& file,
+    scan::Execution& execution) const override;
 };

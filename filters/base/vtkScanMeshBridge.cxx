@@ -225,11 +225,24 @@ std::vector<Vec3> pointsOf(vtkPolyData& data)
   return points;
 }
 
-TriMesh meshOf(vtkPolyData& data)
+TriMesh meshOf(vtkPolyData& data, std::vector<vtkIdType>* cells)
 {
   TriMesh mesh;
   mesh.points = pointsOf(data);
   const vtkIdType pointCount = data.GetNumberOfPoints();
+  vtkIdType cell = data.GetNumberOfVerts() + data.GetNumberOfLines();
+  if (cells != nullptr)
+  {
+    cells->clear();
+  }
+  const auto endCell = [&]()
+  {
+    if (cells != nullptr)
+    {
+      cells->resize(mesh.triangles.size(), cell);
+    }
+    ++cell;
+  };
   std::vector<Index> corners;
   if (!appendTriangles(*data.GetPolys(), pointCount, mesh.triangles))
   {
@@ -239,7 +252,14 @@ TriMesh meshOf(vtkPolyData& data)
         corners.clear();
         append(corners, polygon);
         appendPolygon(mesh.triangles, mesh.points, corners);
+        endCell();
       });
+  }
+  else if (cells != nullptr)
+  {
+    cells->resize(mesh.triangles.size());
+    std::iota(cells->begin(), cells->end(), cell);
+    cell += static_cast<vtkIdType>(cells->size());
   }
   forEachCell(*data.GetStrips(), pointCount,
     [&](Cell strip)
@@ -247,6 +267,7 @@ TriMesh meshOf(vtkPolyData& data)
       corners.clear();
       append(corners, strip);
       appendStrip(mesh.triangles, corners);
+      endCell();
     });
   return mesh;
 }

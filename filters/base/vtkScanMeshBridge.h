@@ -26,7 +26,8 @@ std::vector<Vec3> pointsOf(vtkPolyData& data);
 /// Points and faces of `data`: polygons become fans, strips become triangles, vertices and lines
 /// are left out. Polygons with fewer than three corners are skipped.
 /// @throws Error{limit} as pointsOf; Error{badInput} when a face names a point that is not there
-TriMesh meshOf(vtkPolyData& data);
+/// @param cells if given, what becomes the cell of each triangle
+TriMesh meshOf(vtkPolyData& data, std::vector<vtkIdType>* cells = nullptr);
 
 /// The lines of `data` as segments.
 /// @throws Error{badInput} when a line names a point that is not there

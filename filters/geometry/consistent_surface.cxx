@@ -9,6 +9,7 @@
 #include "filters/geometry/shells.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,19 +22,6 @@ namespace
 void turn(Triangle& triangle)
 {
   std::swap(triangle[1], triangle[2]);
-}
-
-/// Takes out what has no area.
-void removeFlat(ConsistentSurface& surface, double leastHeight, Execution& execution)
-{
-  const auto before = static_cast<Index>(surface.mesh.triangles.size());
-  FlatRemoval removal = removeFlatTriangles(std::move(surface.mesh), leastHeight, execution);
-  surface.mesh = std::move(removal.mesh);
-  surface.triangleOrigin = std::move(removal.triangleOrigin);
-  surface.cut = removal.cut;
-  std::vector<Index> left = surface.triangleOrigin; // parts of one follow each other
-  left.erase(std::unique(left.begin(), left.end()), left.end());
-  surface.removed = before - static_cast<Index>(left.size());
 }
 
 /// Triangles with the same points as others: they share edges that have too many triangles, or
@@ -74,20 +62,36 @@ bool removeRepeats(ConsistentSurface& surface, const EdgePairs& pairs)
   {
     isRepeat[known[i].second] = known[i].first == known[i - 1].first;
   }
-  surface.repeats = static_cast<Index>(std::ranges::count(isRepeat, true));
+  surface.changes.repeats = static_cast<Index>(std::ranges::count(isRepeat, true));
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < isRepeat.size() && surface.repeats > 0; ++t)
+  for (std::size_t t = 0; t < isRepeat.size() && surface.changes.repeats > 0; ++t)
   {
     surface.mesh.triangles[kept] = surface.mesh.triangles[t];
     surface.triangleOrigin[kept] = surface.triangleOrigin[t];
     kept += isRepeat[t] ? 0 : 1;
   }
-  if (surface.repeats > 0)
+  if (surface.changes.repeats > 0)
   {
     surface.mesh.triangles.resize(kept);
     surface.triangleOrigin.resize(kept);
   }
-  return surface.repeats > 0;
+  return surface.changes.repeats > 0;
+}
+
+/// Takes out what has no area. @return whether there was such
+bool removeFlat(ConsistentSurface& surface, double leastHeight, Execution& execution)
+{
+  const auto before = static_cast<Index>(surface.mesh.triangles.size());
+  FlatRemoval removal = removeFlatTriangles(std::move(surface.mesh), leastHeight, execution);
+  surface.mesh = std::move(removal.mesh);
+  std::vector<Index> left = removal.triangleOrigin; // parts of one follow each other
+  left.erase(std::unique(left.begin(), left.end()), left.end());
+  surface.changes.cut = removal.cut;
+  surface.changes.removed = before - static_cast<Index>(left.size());
+  std::ranges::transform(removal.triangleOrigin, removal.triangleOrigin.begin(),
+    [&](Index number) { return surface.triangleOrigin[number]; });
+  surface.triangleOrigin = std::move(removal.triangleOrigin);
+  return surface.changes.cut + surface.changes.removed > 0;
 }
 
 /// Turns the smaller part of each piece in which neighbours disagree.
@@ -138,13 +142,27 @@ bool isTurned(const Triangle& before, const Triangle& after, const std::vector<I
 
 } // namespace
 
+SurfaceChanges& SurfaceChanges::operator+=(const SurfaceChanges& other)
+{
+  this->removed += other.removed;
+  this->repeats += other.repeats;
+  this->cut += other.cut;
+  this->turned += other.turned;
+  this->edgesSplit += other.edgesSplit;
+  this->verticesSplit += other.verticesSplit;
+  return *this;
+}
+
 ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& execution)
 {
   requireCorners(mesh);
   ConsistentSurface surface{ .mesh = std::move(mesh) };
-  removeFlat(surface, leastHeight, execution);
+  surface.triangleOrigin.resize(surface.mesh.triangles.size());
+  std::iota(surface.triangleOrigin.begin(), surface.triangleOrigin.end(), Index{ 0 });
   EdgePairs pairs = pairEdges(surface.mesh, execution);
-  if (removeRepeats(surface, pairs))
+  const bool hadRepeats = removeRepeats(surface, pairs);
+  const bool hadFlat = removeFlat(surface, leastHeight, execution);
+  if (hadRepeats || hadFlat)
   {
     pairs = pairEdges(surface.mesh, execution);
   }
@@ -156,15 +174,15 @@ ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& ex
   }
   SplitResult split = splitNonManifold(std::move(surface.mesh), std::move(pairs), execution);
   surface.mesh = std::move(split.mesh);
-  surface.edgesSplit = split.edgesSplit;
-  surface.verticesSplit = split.verticesSplit;
+  surface.changes.edgesSplit = split.edgesSplit;
+  surface.changes.verticesSplit = split.verticesSplit;
   surface.pointOrigin = std::move(split.pointOrigin);
   turnOutwards(surface.mesh, split.mate, execution);
   surface.isTurned.resize(before.size());
   for (std::size_t t = 0; t < before.size(); ++t)
   {
     surface.isTurned[t] = isTurned(before[t], surface.mesh.triangles[t], surface.pointOrigin);
-    surface.turned += surface.isTurned[t] ? 1 : 0;
+    surface.changes.turned += surface.isTurned[t] ? 1 : 0;
   }
   return surface;
 }

@@ -48,6 +48,7 @@ public:
     , LeastHeight(leastHeight)
     , Mesh(std::move(mesh))
     , Origin(this->Mesh.triangles.size())
+    , IsTouched(this->Mesh.points.size())
   {
     std::iota(this->Origin.begin(), this->Origin.end(), Index{ 0 });
   }
@@ -67,6 +68,10 @@ public:
         left = this->findFlat();
       }
       flat = std::move(left);
+    }
+    if (std::ranges::find(this->IsTouched, true) != this->IsTouched.end())
+    {
+      this->cancelFolds();
     }
     const Index cut = this->countCut();
     return { std::move(this->Mesh), std::move(this->Origin), cut };
@@ -133,6 +138,7 @@ private:
   void push(Index number);
   void add(const Triangle& t, Index origin);
   void cut(Index number, const Line& line);
+  void cancelFolds();
   Index countCut() const;
 
   Execution& Run;
@@ -140,6 +146,7 @@ private:
   TriMesh Mesh;
   std::vector<Index> Origin;
 
+  std::vector<bool> IsTouched;                          // per point: a corner of what was changed
   std::vector<bool> IsGone;                             // per triangle
   std::vector<bool> IsOnLine;                           // per point: a corner of a flat triangle
   std::unordered_multimap<std::uint64_t, Index> ByEdge; // triangles at edges between such points
@@ -223,7 +230,12 @@ void FlatRemover::mergePoints(UnionFind& sets)
   for (std::size_t number = 0; number < this->Mesh.triangles.size(); ++number)
   {
     Triangle& t = this->Mesh.triangles[number];
-    std::ranges::transform(t, t.begin(), [&](Index corner) { return sets.root(corner); });
+    for (Index& corner : t)
+    {
+      const Index root = sets.root(corner);
+      this->IsTouched[root] = this->IsTouched[root] || root != corner;
+      corner = root;
+    }
     this->IsGone[number] = isCollapsed(t);
   }
   this->dropGone();
@@ -350,6 +362,7 @@ void FlatRemover::add(const Triangle& t, Index origin)
   this->Mesh.triangles.push_back(t);
   this->Origin.push_back(origin);
   this->IsGone.push_back(isCollapsed(t));
+  this->IsTouched[t[0]] = true;
   if (!this->IsGone.back())
   {
     this->fileEdges(number);
@@ -373,6 +386,47 @@ void FlatRemover::cut(Index number, const Line& line)
   const Index to = t[(apex + 2) % 3];
   this->add({ from, line.middle, t[apex] }, this->Origin[number]);
   this->add({ line.middle, to, t[apex] }, this->Origin[number]);
+}
+
+/// Takes out pairs of triangles that have come to lie upon each other and face opposite sides: what
+/// was closed stays closed.
+void FlatRemover::cancelFolds()
+{
+  struct Side
+  {
+    Triangle corners;
+    bool isOdd;
+    Index number;
+  };
+  std::vector<Side> sides;
+  for (Index number = 0; number < this->Mesh.triangles.size(); ++number)
+  {
+    const auto& [a, b, c] = this->Mesh.triangles[number];
+    if (this->IsTouched[a] || this->IsTouched[b] || this->IsTouched[c])
+    {
+      Triangle sorted = { a, b, c };
+      std::ranges::sort(sorted);
+      const bool isOdd = sorted != Triangle{ a, b, c } && sorted != Triangle{ b, c, a } &&
+        sorted != Triangle{ c, a, b };
+      sides.push_back({ sorted, isOdd, number });
+    }
+  }
+  std::ranges::stable_sort(sides, {}, &Side::corners);
+  this->IsGone.assign(this->Mesh.triangles.size(), false);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    std::array<std::vector<Index>, 2> facing;
+    for (; end < sides.size() && sides[end].corners == sides[begin].corners; ++end)
+    {
+      facing[sides[end].isOdd ? 1 : 0].push_back(sides[end].number);
+    }
+    for (std::size_t i = 0; i < std::min(facing[0].size(), facing[1].size()); ++i)
+    {
+      this->IsGone[facing[0][i]] = true;
+      this->IsGone[facing[1][i]] = true;
+    }
+  }
+  this->dropGone();
 }
 
 /// The triangles of which several parts are left.

@@ -24,9 +24,10 @@ struct FlatRemoval
 
 /// Takes out the triangles without area, those that name a point twice too, and leaves no gap where
 /// they were: neighbours along the longest edge of such a triangle are cut at its third corner, and
-/// corners in one place become one point. Triangles keep their order, parts of one follow each
-/// other; points stay, also those that no triangle uses any more. A mesh without such triangles is
-/// returned as it is.
+/// corners in one place become one point; two triangles that thereby come to lie upon each other
+/// and face opposite sides go. A closed surface stays closed. Triangles keep their order, parts of
+/// one follow each other; points stay, also those that no triangle uses any more. A mesh without
+/// such triangles is returned as it is.
 ///
 /// Linear time. Throws Cancelled.
 /// @param mesh its triangles name points that are there

@@ -167,7 +167,7 @@ TEST(ConsistentSurface, LeavesAGoodOneAlone)
     const ConsistentSurface surface = consistent(mesh);
     EXPECT_EQ(surface.mesh.triangles, mesh.triangles);
     EXPECT_EQ(surface.mesh.points, mesh.points);
-    EXPECT_FALSE(surface.isChanged());
+    EXPECT_FALSE(surface.changes.any());
     expectPromise(mesh, surface);
   }
 }
@@ -188,7 +188,7 @@ TEST(ConsistentSurface, MendsDamagedClosedOnes)
     const MeshReport report = describeMesh(surface.mesh);
     EXPECT_TRUE(report.isClosed) << report.boundaryEdges;
     EXPECT_NEAR(report.volume.value_or(0.0), *describeMesh(torus).volume, 1e-12);
-    EXPECT_TRUE(surface.isChanged());
+    EXPECT_TRUE(surface.changes.any());
   }
 }
 
@@ -200,7 +200,7 @@ TEST(ConsistentSurface, PartsWhatIsNoManifold)
   {
     const ConsistentSurface surface = consistent(mesh);
     expectPromise(mesh, surface);
-    EXPECT_TRUE(surface.isChanged());
+    EXPECT_TRUE(surface.changes.any());
   }
 }
 
@@ -213,7 +213,7 @@ TEST(ConsistentSurface, FacesOutwards)
   }
   const ConsistentSurface surface = consistent(inward);
   EXPECT_GT(*describeMesh(surface.mesh).volume, 0.0);
-  EXPECT_EQ(surface.turned, inward.triangles.size());
+  EXPECT_EQ(surface.changes.turned, inward.triangles.size());
 }
 
 TEST(ConsistentSurface, KeepsVoids)
@@ -221,8 +221,46 @@ TEST(ConsistentSurface, KeepsVoids)
   TriMesh mesh =
     corpus::voxelBorder(5, [](Index i, Index j, Index k) { return !(i == 2 && j == 2 && k == 2); });
   const ConsistentSurface surface = consistent(mesh);
-  EXPECT_FALSE(surface.isChanged());
+  EXPECT_FALSE(surface.changes.any());
   EXPECT_NEAR(*describeMesh(surface.mesh).volume, 124.0, 1e-12);
+}
+
+TEST(ConsistentSurface, TurnsHollowBodiesWithTheirVoids)
+{
+  // all of it inside out: the border faces inwards, that of the void outwards
+  const TriMesh good = corpus::voxelBorder(
+    5, [](Index i, Index j, Index k) { return !(i % 4 != 0 && j % 4 != 0 && k % 4 != 0); });
+  ASSERT_NEAR(*describeMesh(good).volume, 98.0, 1e-12);
+  TriMesh mesh = good;
+  for (Triangle& t : mesh.triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  const ConsistentSurface surface = consistent(mesh);
+  EXPECT_NEAR(*describeMesh(surface.mesh).volume, 98.0, 1e-12);
+  EXPECT_EQ(surface.changes.turned, mesh.triangles.size());
+}
+
+TEST(ConsistentSurface, KeepsTheFirstOfRepeatedTriangles)
+{
+  const TriMesh good = corpus::torus(8);
+  const double volume = *describeMesh(good).volume;
+  for (const std::size_t last : { std::size_t{ 1 }, std::size_t{ 2 }, good.triangles.size() })
+  {
+    for (const bool isReversed : { false, true })
+    {
+      TriMesh mesh = good;
+      for (std::size_t t = 0; t < last; ++t) // neighbours, and all
+      {
+        const auto& [a, b, c] = good.triangles[t];
+        mesh.triangles.push_back(isReversed ? Triangle{ a, c, b } : Triangle{ b, c, a });
+      }
+      const ConsistentSurface surface = consistent(mesh);
+      EXPECT_EQ(surface.mesh.triangles, good.triangles);
+      EXPECT_EQ(surface.changes.repeats, last);
+      EXPECT_EQ(*describeMesh(surface.mesh).volume, volume);
+    }
+  }
 }
 
 TEST(ConsistentSurface, TurnsTheSmallerPart)
@@ -235,7 +273,7 @@ TEST(ConsistentSurface, TurnsTheSmallerPart)
   }
   const ConsistentSurface surface = consistent(mesh);
   EXPECT_EQ(surface.mesh.triangles, good);
-  EXPECT_EQ(surface.turned, 5U);
+  EXPECT_EQ(surface.changes.turned, 5U);
 }
 
 TEST(ConsistentSurface, RefusesMissingPoints)

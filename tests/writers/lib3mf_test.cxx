@@ -9,10 +9,12 @@
 namespace
 {
 
+const auto kWrite = scan::test::aroundItsMiddle(scan::writeThreemf);
+
 void expectSameInLib3mf(const scan::Model& model, bool isClosed)
 {
   const scan::test::TemporaryFolder folder;
-  scan::test::writeModel(folder.file("ours.3mf"), model, scan::writeThreemf);
+  scan::test::writeModel(folder.file("ours.3mf"), model, kWrite);
   const scan::test::Lib3mfResult theirs =
     scan::test::readWithLib3mf(folder.file("ours.3mf"), folder.file("theirs.3mf"));
   EXPECT_TRUE(theirs.isRead);

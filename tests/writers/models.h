@@ -7,6 +7,7 @@
 #include "filters/geometry/model.h"
 #include "tests/readers/temporary_folder.h"
 #include "writers/output_file.h"
+#include "writers/single_precision.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,14 @@ std::string modelBytes(const Model& model, const Format& format, unsigned thread
   const TemporaryFolder folder;
   writeModel(folder.file("out"), model, format, threads);
   return contentOf(folder.file("out"));
+}
+
+/// A format (model, file, execution) of one that also takes what coordinates are relative to.
+template <class Format>
+auto aroundItsMiddle(const Format& format)
+{
+  return [&format](const Model& model, OutputFile& file, Execution& execution)
+  { format(model, originForFloats(model.points), file, execution); };
 }
 
 /// The code of the Error that the writer ends in; internal when it accepts the model.
@@ -124,8 +133,8 @@ inline Model grid(Index rows, Index columns, bool isClosed)
       const double u = turn * i / rows;
       const double v = turn * j / columns;
       const double r = 30.0 + 10.0 * std::cos(v);
-      model.points.push_back({ static_cast<float>(r * std::cos(u)),
-        static_cast<float>(r * std::sin(u)), static_cast<float>(7.0 + 10.0 * std::sin(v)) });
+      model.points.push_back(
+        roundedToFloat({ r * std::cos(u), r * std::sin(u), 7.0 + 10.0 * std::sin(v) }));
     }
   }
   for (Index i = 0; i < rows; ++i)

@@ -12,6 +12,8 @@
 namespace
 {
 
+const auto kWrite = scan::test::aroundItsMiddle(scan::writeThreemf);
+
 using scan::Model;
 using scan::Vec3;
 using scan::test::grid;
@@ -19,7 +21,7 @@ using scan::test::moved;
 
 std::string bytesOf(const Model& model, unsigned threads = 1)
 {
-  return scan::test::modelBytes(model, scan::writeThreemf, threads);
+  return scan::test::modelBytes(model, kWrite, threads);
 }
 
 /// The part with the model, by the program unzip; empty without it.
@@ -93,11 +95,29 @@ TEST(Threemf, ComesBackFromTheReader)
 {
   Model model = grid(300, 300, true);
   model.points.push_back({ 1e9, -1e-300, -0.0 });
+  model.triangles.push_back({ 0, 1, 90000 });
   model.millimetresPerUnit = 1000.0;
   const Model read = scan::test::parse(scan::parseThreemf, bytesOf(model));
   EXPECT_EQ(read.points, model.points);
   EXPECT_EQ(read.triangles, model.triangles);
   EXPECT_EQ(read.millimetresPerUnit, 1000.0);
+}
+
+TEST(Threemf, LeavesLoosePointsOut)
+{
+  Model model = grid(3, 4, true);
+  const Model surface = model;
+  model.points.insert(model.points.begin(), { 1e30, 0, 0 });
+  for (scan::Triangle& t : model.triangles)
+  {
+    t = { t[0] + 1, t[1] + 1, t[2] + 1 };
+  }
+  const Model read = scan::test::parse(scan::parseThreemf,
+    scan::test::modelBytes(model,
+      [](const Model& m, scan::OutputFile& file, scan::Execution& run)
+      { scan::writeThreemf(m, {}, file, run); }));
+  EXPECT_EQ(read.points, surface.points);
+  EXPECT_EQ(read.triangles, surface.triangles);
 }
 
 TEST(Threemf, StoresWhatIsFarAwayFromItsMiddleOn)
@@ -128,8 +148,7 @@ TEST(Threemf, HasTheSameBytesOnAnyNumberOfThreads)
 
 TEST(Threemf, RefusesWhatItCannotHold)
 {
-  const auto errorOf = [](const Model& model)
-  { return scan::test::writeMessage(model, scan::writeThreemf); };
+  const auto errorOf = [](const Model& model) { return scan::test::writeMessage(model, kWrite); };
   EXPECT_NE(errorOf({}).find("no triangles to write; 3MF holds surfaces"), std::string::npos);
   Model model = triangle();
   model.triangles.push_back({ 2, 1, 2 });
@@ -137,10 +156,10 @@ TEST(Threemf, RefusesWhatItCannotHold)
     errorOf(model).find("triangle 1, counted from 0, uses a point twice"), std::string::npos);
   model = triangle();
   model.points[0].y = -1.1e9;
-  EXPECT_EQ(scan::test::writeError(model, scan::writeThreemf), scan::ErrorCode::limit);
+  EXPECT_EQ(scan::test::writeError(model, kWrite), scan::ErrorCode::limit);
 }
 
 TEST(Threemf, StopsWhenCancelled)
 {
-  scan::test::expectCancels(grid(5, 5, true), scan::writeThreemf);
+  scan::test::expectCancels(grid(5, 5, true), kWrite);
 }

@@ -2,17 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The VTK readers and writers of the project, against each other and against VTK's own.
 #include "filters/base/vtkScanMeshBridge.h"
+#include "readers/vtkScanGltfReader.h"
 #include "readers/vtkScanObjReader.h"
 #include "readers/vtkScanPlyReader.h"
 #include "readers/vtkScanPointsReader.h"
 #include "readers/vtkScanStlReader.h"
 #include "tests/readers/temporary_folder.h"
 #include "tests/writers/written.h"
+#include "writers/vtkScanAutodesk3dsWriter.h"
+#include "writers/vtkScanDxfWriter.h"
+#include "writers/vtkScanGlbWriter.h"
 #include "writers/vtkScanIgesWriter.h"
 #include "writers/vtkScanObjWriter.h"
 #include "writers/vtkScanPlyWriter.h"
 #include "writers/vtkScanPngWriter.h"
 #include "writers/vtkScanStlWriter.h"
+#include "writers/vtkScanThreemfWriter.h"
+#include "writers/vtkScanXyzWriter.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
@@ -28,8 +34,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <string>
 
 namespace
 {
@@ -117,6 +128,34 @@ public:
 private:
   vtkNew<vtkCallbackCommand> Command;
 };
+
+struct Written
+{
+  std::string note;
+  std::string error; ///< behind the name of the file
+};
+
+Written writtenBy(vtkScanFileWriter& writer, const scan::Model& model, const std::string& path = {})
+{
+  const TemporaryFolder folder;
+  const std::string name = path.empty() ? folder.file("file") : path;
+  vtkNew<vtkPolyData> data;
+  scan::bridge::setModel(*data, model);
+  const ErrorText error(writer);
+  writer.SetFileName(name.c_str());
+  writer.SetInputData(data);
+  writer.Write();
+  const std::string message = writer.GetOutcome().message;
+  return { writer.GetNote(), message.substr(std::min(message.size(), name.size())) };
+}
+
+template <class Writer>
+Written written(const scan::Model& model, Encoding encoding = Encoding::binary)
+{
+  vtkNew<Writer> writer;
+  writer->SetEncoding(encoding);
+  return writtenBy(*writer, model);
+}
 
 } // namespace
 
@@ -393,4 +432,144 @@ TEST(VtkScanWriter, WarnsOfDigitsThatAreLost)
   EXPECT_EQ(noteOn(far, Encoding::ascii), "");
   EXPECT_NE(
     noteOn(far, Encoding::binary).find("points of this model, which is far"), std::string::npos);
+}
+
+TEST(VtkScanWriter, DropsWhatRoundingMakesFlat)
+{
+  scan::Model model{
+    { { { 10000000.1, 10000000.2, 0 }, { 10000000.3, 10000000.3, 0 }, { 10000005, 10000005.3, 3 } },
+      { { 0, 1, 2 } } }
+  };
+  EXPECT_EQ(written<vtkScanAutodesk3dsWriter>(model).error,
+    ": none of the 1 triangles has an area in the digits of the format; write PLY, OBJ or ascii "
+    "STL");
+  model.points.push_back({ 10000100, 10000000, 0 });
+  model.triangles.push_back({ 0, 2, 3 });
+  EXPECT_NE(written<vtkScanAutodesk3dsWriter>(model).note.find(
+              "1 triangle without area left out; the format holds 7 digits"),
+    std::string::npos);
+  EXPECT_EQ(written<vtkScanPlyWriter>(model).note, "");
+}
+
+TEST(VtkScanWriter, KeepsThePointsOfASurfaceWithoutArea)
+{
+  const scan::Model model{ { { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } } } };
+  const Written ply = written<vtkScanPlyWriter>(model);
+  EXPECT_EQ(ply.note, "the surface is mended: 1 triangle without area left out");
+  EXPECT_EQ(ply.error, "");
+  const Written stl = written<vtkScanStlWriter>(model, Encoding::ascii);
+  EXPECT_EQ(stl.error,
+    ": no triangles to write; STL holds surfaces, write points as PLY or OBJ (the surface is "
+    "mended: 1 triangle without area left out)");
+}
+
+TEST(VtkScanWriter, LeavesPointsAlone)
+{
+  // three triangles on an edge: a surface would be parted there
+  const scan::Model fan{ { { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 }, { -1, -1, 0 } },
+    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } } };
+  EXPECT_NE(written<vtkScanPlyWriter>(fan).note.find("repeated"), std::string::npos);
+  EXPECT_EQ(written<vtkScanXyzWriter>(fan).note, "");
+  vtkNew<vtkScanIgesWriter> iges;
+  iges->SetEntities(scan::IgesEntities::points);
+  scan::Model inches = fan;
+  inches.millimetresPerUnit = 25.4;
+  EXPECT_EQ(
+    writtenBy(*iges, inches).note, "points alone are written, as asked, no triangles and curves");
+}
+
+TEST(VtkScanWriter, SaysWhichPointsHaveNoPlace)
+{
+  scan::Model model = scan::test::grid(3, 3, true);
+  model.millimetresPerUnit = 1.0;
+  model.points.push_back({ 1e12, 0, 0 }); // of no influence on origins and resolutions
+  model.points.push_back({ 1, 1, 1 });
+  const std::string note = "2 points that nothing uses left out";
+  EXPECT_EQ(written<vtkScanStlWriter>(model).note, note);
+  EXPECT_EQ(written<vtkScanStlWriter>(model, Encoding::ascii).note, note);
+  EXPECT_EQ(written<vtkScanAutodesk3dsWriter>(model).note, note);
+  EXPECT_EQ(written<vtkScanDxfWriter>(model).note, note);
+  EXPECT_EQ(written<vtkScanIgesWriter>(model).note, note);
+  EXPECT_EQ(written<vtkScanThreemfWriter>(model).note, note);
+  EXPECT_EQ(written<vtkScanPlyWriter>(model).note, "");
+  EXPECT_EQ(written<vtkScanGlbWriter>(model).note, "");
+}
+
+TEST(VtkScanWriter, KeepsTinyBodiesClosedInIges)
+{
+  // edges and heights near the resolution: what is left must still bound a solid
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> tiny(-3e-8, 3e-8);
+  int solids = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    scan::Model model = scan::test::grid(4, 5, true);
+    model.millimetresPerUnit = 1.0;
+    const scan::Vec3 size{ 40.0, 40.0, 10.0 };
+    for (scan::Vec3& p : model.points)
+    {
+      p = { p.x / size.x, p.y / size.y, p.z / size.z };
+    }
+    for (int k = 0; k < 10; ++k) // several points to nearly one place
+    {
+      const std::size_t from = random() % model.points.size();
+      const std::size_t to = random() % model.points.size();
+      model.points[to] =
+        model.points[from] + scan::Vec3{ tiny(random), tiny(random), tiny(random) };
+    }
+    vtkNew<vtkScanIgesWriter> iges;
+    iges->SetEntities(scan::IgesEntities::solid);
+    const Written result = writtenBy(*iges, model);
+    solids += result.error.empty() ? 1 : 0;
+    EXPECT_EQ(result.error, "") << i;
+  }
+  EXPECT_EQ(solids, 200);
+}
+
+TEST(VtkScanWriter, WritesManyCurvesAsSegments)
+{
+  scan::Model model;
+  model.millimetresPerUnit = 1000.0;
+  for (scan::Index i = 0; i < 10001; ++i)
+  {
+    for (scan::Index k = 0; k < 3; ++k)
+    {
+      model.points.push_back({ static_cast<double>(k), static_cast<double>(i), 0.0 });
+      model.curves.corners.push_back(3 * i + k);
+    }
+    model.curves.endLine();
+  }
+  vtkNew<vtkScanGlbWriter> writer;
+  const TemporaryFolder folder;
+  const Written result = writtenBy(*writer, model, folder.file("a.glb"));
+  EXPECT_EQ(
+    result.note, "10001 curves are written as loose segments, which glTF programs draw faster");
+  vtkNew<vtkScanGltfReader> reader;
+  reader->SetFileName(folder.file("a.glb").c_str());
+  reader->Update();
+  const scan::Model read = scan::bridge::modelOf(*reader->GetOutput());
+  EXPECT_EQ(read.points, model.points);
+  EXPECT_EQ(read.curves, model.curves); // joined again
+  EXPECT_LT(std::filesystem::file_size(folder.file("a.glb")), 1000000U);
+}
+
+TEST(VtkScanWriter, StlNormalsAreThoseOfTheStoredTriangle)
+{
+  const scan::Model model{ { { { 4000000.1, 0, 0 }, { 4000000.7, 0.3, 0 }, { 4000000.2, 1, 0.4 } },
+    { { 0, 1, 2 } } } };
+  const TemporaryFolder folder;
+  vtkNew<vtkScanStlWriter> writer;
+  writtenBy(*writer, model, folder.file("a.stl"));
+  const std::string bytes = scan::test::contentOf(folder.file("a.stl"));
+  std::array<std::array<float, 3>, 4> v = {};
+  std::memcpy(v.data(), bytes.data() + 84, sizeof(v));
+  for (const std::size_t k : { 2U, 3U })
+  {
+    double along = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      along += static_cast<double>(v[0][i]) * (static_cast<double>(v[k][i]) - v[1][i]);
+    }
+    EXPECT_NEAR(along, 0.0, 1e-7);
+  }
 }

@@ -12,6 +12,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -243,6 +244,45 @@ TEST(Vtp, KeepsArraysOfMendedSurfaces)
   for (const int i : { 0, 1, 2, 3 })
   {
     EXPECT_EQ(cell->GetTuple1(i), i < 2 ? 20.0 + i : 21.0 + i);
+  }
+}
+
+TEST(Vtp, TurnsNormalsWithTheirTriangles)
+{
+  Model model{ TriMesh{ { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 }, { 9, 9, 9 } },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 3 }, { 1, 2, 3 } } } }; // inwards
+  for (const Vec3& p : model.points)
+  {
+    model.normals.push_back(Vec3{ 0.5, 0.5, 0.5 } - p);
+  }
+  const vtkSmartPointer<vtkPolyData> data = dataOf(model);
+  vtkNew<vtkDoubleArray> sides;
+  sides->SetNumberOfComponents(3);
+  for (const Triangle& t : model.triangles)
+  {
+    const Vec3 n =
+      cross(model.points[t[1]] - model.points[t[0]], model.points[t[2]] - model.points[t[0]]);
+    sides->InsertNextTuple3(n.x, n.y, n.z);
+  }
+  data->GetCellData()->SetNormals(sides);
+  const TemporaryFolder folder;
+  vtkNew<vtkScanVtpWriter> writer;
+  writer->SetFileName(folder.file("a.vtp").c_str());
+  writer->SetInputData(data);
+  ASSERT_EQ(writer->Write(), 1);
+  EXPECT_EQ(writer->GetNote(), "the surface is mended: 4 triangles turned over");
+  const Model back = read(folder.file("a.vtp")).model;
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ(back.normals[i], model.normals[i] * (i < 4 ? -1.0 : 1.0));
+  }
+  vtkNew<vtkXMLPolyDataReader> theirs;
+  theirs->SetFileName(folder.file("a.vtp").c_str());
+  theirs->Update();
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(theirs->GetOutput()->GetCellData()->GetNormals()->GetComponent(i, 0),
+      -sides->GetComponent(i, 0));
   }
 }
 

@@ -55,7 +55,7 @@ inline TriMesh rounded(TriMesh mesh)
 {
   for (Vec3& p : mesh.points)
   {
-    p = { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) };
+    p = roundedToFloat(p);
   }
   return mesh;
 }
