@@ -203,7 +203,7 @@ public:
     do
     {
       this->At = nextLine(this->At, end);
-    } while (this->At != end && !isLineEnd(*skipBlanks(this->At, end)));
+    } while (skipBlanks(this->At, end) != findLineEnd(this->At, end));
   }
 
   /// Calls visit(vector, place) for that many vectors that start on the next line.

@@ -63,10 +63,9 @@ void orientConsistently(std::vector<Triangle>& triangles, std::size_t pointCount
     }
     visited[first] = 1;
     front.assign(1, first);
-    while (!front.empty())
+    for (std::size_t next = 0; next < front.size(); ++next) // breadth first: short seams
     {
-      const Index triangle = front.back();
-      front.pop_back();
+      const Index triangle = front[next];
       for (Index number = 3 * triangle; number < 3 * triangle + 3; ++number)
       {
         const Index mate = mates[number];
