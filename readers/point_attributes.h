@@ -17,9 +17,8 @@ inline constexpr Color kNoColor = { 255, 255, 255 };
 inline Vec3 unitOrZero(const Vec3& normal)
 {
   const double length = std::hypot(normal.x, normal.y, normal.z);
-  return std::isnormal(length)
-    ? Vec3{ normal.x / length, normal.y / length, normal.z / length }
-    : Vec3{};
+  return std::isnormal(length) ? Vec3{ normal.x / length, normal.y / length, normal.z / length }
+                               : Vec3{};
 }
 
 /// Whether the value is a channel of 0 to 255; false for NaN.
