@@ -130,7 +130,7 @@ std::string describe(const SurfaceChanges& changes)
     }
   };
   add(changes.removed, "triangle", "without area left out");
-  add(changes.repeats, "triangle", "that repeats another left out");
+  add(changes.repeats, "repeated triangle", "left out");
   add(changes.cut, "triangle", "cut");
   add(changes.turned, "triangle", "turned over");
   add(changes.edgesSplit, "edge", "split");

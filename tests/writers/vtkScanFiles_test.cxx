@@ -340,15 +340,16 @@ TEST(VtkScanWriter, SaysWhatItMends)
   const TemporaryFolder folder;
   vtkNew<vtkPolyData> data;
   scan::Model model{ { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0, 0 } },
-    { { 0, 1, 2 }, { 0, 1, 1 }, { 0, 3, 1 } } } };
+    { { 0, 1, 2 }, { 0, 1, 1 }, { 0, 3, 1 }, { 1, 2, 0 } } } };
   model.normals.assign(4, { 0, 0, 1 });
   scan::bridge::setModel(*data, model);
   vtkNew<vtkScanPlyWriter> writer;
   writer->SetFileName(folder.file("a.ply").c_str());
   writer->SetInputData(data);
   EXPECT_EQ(writer->Write(), 1);
-  EXPECT_EQ(
-    writer->GetNote(), "the surface is mended: 2 triangles without area left out, 1 triangle cut");
+  EXPECT_EQ(writer->GetNote(),
+    "the surface is mended: 2 triangles without area left out, 1 repeated triangle left out, 1 "
+    "triangle cut");
   vtkNew<vtkScanPlyWriter> raw;
   raw->SetFileName(folder.file("b.ply").c_str());
   raw->SetInputData(data);
