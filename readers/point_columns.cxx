@@ -169,6 +169,12 @@ std::vector<std::string> readColumnNames(const char* line, const char* end)
   std::vector<std::string> names;
   const auto isGap = [](char c) { return isSeparator(c) || isMark(c); };
   const char* const stop = findLineEnd(line, end);
+  std::size_t count = 0; // growing would take three times the memory, for lines without an end
+  for (const char* at = line; at != stop; ++at)
+  {
+    count += !isGap(*at) && (at == line || isGap(at[-1])) ? 1 : 0;
+  }
+  names.reserve(count);
   while (line != stop)
   {
     const char* const start = std::find_if_not(line, stop, isGap);
