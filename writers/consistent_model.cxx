@@ -78,14 +78,24 @@ SurfaceChanges mend(
 Model consistentModel(Model model, const FormatTraits& traits, Execution& execution)
 {
   SurfaceChanges changes;
-  if (traits.precision != Precision::float32 && !model.triangles.empty())
+  constexpr int kMostRounds = 4; // where both decide, they may never agree about slivers
+  for (int round = 0; round < kMostRounds; ++round)
   {
-    changes += mend(model, {}, traits.leastHeight, execution);
-  }
-  if (traits.precision != Precision::float64 && !model.triangles.empty())
-  {
-    changes +=
-      mend(model, roundedToFloat(model.points, traits.origin), traits.leastHeight, execution);
+    const SurfaceChanges before = changes;
+    if (traits.precision != Precision::float32 && !model.triangles.empty())
+    {
+      changes += mend(model, {}, traits.leastHeight, execution);
+    }
+    const bool isFineAlready = round > 0 && changes == before;
+    if (traits.precision != Precision::float64 && !model.triangles.empty() && !isFineAlready)
+    {
+      changes +=
+        mend(model, roundedToFloat(model.points, traits.origin), traits.leastHeight, execution);
+    }
+    if (changes == before || traits.precision != Precision::float64ReadAsFloat32)
+    {
+      break;
+    }
   }
   model.addNote(describe(changes));
   return model;

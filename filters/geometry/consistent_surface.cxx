@@ -7,8 +7,10 @@
 #include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
 #include "filters/geometry/shells.h"
+#include "filters/geometry/union_find.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -46,35 +48,158 @@ std::vector<Index> candidatesForRepeats(const EdgePairs& pairs)
   return candidates;
 }
 
-/// Takes out all but the first of triangles with the same points. @return whether there were some
-bool removeRepeats(ConsistentSurface& surface, const EdgePairs& pairs)
+/// Triangles with the same points.
+using Repeats = std::vector<std::vector<Index>>;
+
+Repeats findRepeats(const TriMesh& mesh, const EdgePairs& pairs)
 {
   std::vector<std::pair<Triangle, Index>> known;
   for (const Index number : candidatesForRepeats(pairs))
   {
-    Triangle corners = surface.mesh.triangles[number];
+    Triangle corners = mesh.triangles[number];
     std::ranges::sort(corners);
     known.emplace_back(corners, number);
   }
   std::ranges::sort(known);
-  std::vector<bool> isRepeat(surface.mesh.triangles.size());
+  Repeats repeats;
   for (std::size_t i = 1; i < known.size(); ++i)
   {
-    isRepeat[known[i].second] = known[i].first == known[i - 1].first;
+    if (known[i].first == known[i - 1].first)
+    {
+      const bool isThird = i > 1 && known[i].first == known[i - 2].first;
+      if (!isThird)
+      {
+        repeats.push_back({ known[i - 1].second });
+      }
+      repeats.back().push_back(known[i].second);
+    }
   }
-  surface.changes.repeats = static_cast<Index>(std::ranges::count(isRepeat, true));
+  return repeats;
+}
+
+/// Tells walls from double layers: at all edges of a wall as many triangles run one way as the
+/// other, so that it parts closed pieces, and other triangles meet it.
+class WallSearch
+{
+public:
+  WallSearch(const TriMesh& mesh, const EdgePairs& pairs, const Repeats& repeats)
+    : Mesh(mesh)
+    , Sets(repeats.size())
+    , Group(mesh.triangles.size(), kNone)
+    , IsBalanced(repeats.size(), true)
+    , HasNeighbours(repeats.size(), false)
+  {
+    for (Index i = 0; i < repeats.size(); ++i)
+    {
+      for (const Index number : repeats[i])
+      {
+        this->Group[number] = i;
+      }
+    }
+    this->forEachEdge(pairs, repeats, [this](auto halves) { this->joinAt(halves); });
+    this->forEachEdge(pairs, repeats, [this](auto halves) { this->seeEdge(halves); });
+  }
+
+  bool isWall(Index group)
+  {
+    const Index root = this->Sets.root(group);
+    return this->IsBalanced[root] && this->HasNeighbours[root];
+  }
+
+private:
+  template <class Visit>
+  void forEachEdge(const EdgePairs& pairs, const Repeats& repeats, const Visit& visit)
+  {
+    const std::span<const Index> crowded = pairs.crowded;
+    for (std::size_t i = 1; i < pairs.crowdedBegin.size(); ++i)
+    {
+      const Index begin = pairs.crowdedBegin[i - 1];
+      visit(crowded.subspan(begin, pairs.crowdedBegin[i] - begin));
+    }
+    for (const std::vector<Index>& group : repeats)
+    {
+      for (Index half = 3 * group.front(); half < 3 * group.front() + 3; ++half)
+      {
+        if (pairs.mate[half] != kNone)
+        {
+          visit(std::span<const Index>(std::array{ half, pairs.mate[half] }));
+        }
+      }
+    }
+  }
+
+  void joinAt(std::span<const Index> halves)
+  {
+    Index first = kNone;
+    for (const Index half : halves)
+    {
+      const Index group = this->Group[half / 3];
+      if (group != kNone)
+      {
+        const Index root = this->Sets.root(group);
+        first = first == kNone ? root : this->Sets.root(first);
+        if (root != first)
+        {
+          this->Sets.join(first, root);
+        }
+      }
+    }
+  }
+
+  void seeEdge(std::span<const Index> halves)
+  {
+    Index root = kNone;
+    Index forwards = 0;
+    bool hasNeighbours = false;
+    for (const Index half : halves)
+    {
+      const Index group = this->Group[half / 3];
+      root = group != kNone ? this->Sets.root(group) : root;
+      hasNeighbours = hasNeighbours || group == kNone;
+      forwards += originOf(this->Mesh, half) < originOf(this->Mesh, nextHalf(half)) ? 1 : 0;
+    }
+    if (root != kNone)
+    {
+      this->IsBalanced[root] = this->IsBalanced[root] && 2 * forwards == halves.size();
+      this->HasNeighbours[root] = this->HasNeighbours[root] || hasNeighbours;
+    }
+  }
+
+  const TriMesh& Mesh;
+  UnionFind Sets;           // of groups that share edges
+  std::vector<Index> Group; // per triangle; kNone of those that nothing repeats
+  std::vector<bool> IsBalanced;
+  std::vector<bool> HasNeighbours;
+};
+
+/// Takes out all but the first of triangles with the same points, other than in walls.
+/// @return whether there were some
+bool removeRepeats(ConsistentSurface& surface, const EdgePairs& pairs)
+{
+  const Repeats repeats = findRepeats(surface.mesh, pairs);
+  if (repeats.empty())
+  {
+    return false;
+  }
+  WallSearch walls(surface.mesh, pairs, repeats);
+  std::vector<bool> isLeftOut(surface.mesh.triangles.size());
+  for (Index i = 0; i < repeats.size(); ++i)
+  {
+    for (std::size_t k = 1; k < repeats[i].size() && !walls.isWall(i); ++k)
+    {
+      isLeftOut[repeats[i][k]] = true;
+      ++surface.changes.repeats;
+    }
+  }
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < isRepeat.size() && surface.changes.repeats > 0; ++t)
+  for (std::size_t t = 0; t < isLeftOut.size(); ++t)
   {
     surface.mesh.triangles[kept] = surface.mesh.triangles[t];
     surface.triangleOrigin[kept] = surface.triangleOrigin[t];
-    kept += isRepeat[t] ? 0 : 1;
+    kept += isLeftOut[t] ? 0 : 1;
   }
-  if (surface.changes.repeats > 0)
-  {
-    surface.mesh.triangles.resize(kept);
-    surface.triangleOrigin.resize(kept);
-  }
+  surface.mesh.triangles.resize(kept);
+  surface.triangleOrigin.resize(kept);
   return surface.changes.repeats > 0;
 }
 

@@ -55,19 +55,12 @@ public:
 
   FlatRemoval run()
   {
-    // Each round leaves fewer points in use, or fewer flat triangles.
-    for (std::vector<Index> flat = this->findFlat(); !flat.empty();)
+    const double least = std::exchange(this->LeastHeight, 0.0);
+    this->removeExactly();
+    if (least > 0.0)
     {
-      const bool isMerged = this->mergeEqualCorners(flat);
-      this->dissolve(this->findFlat());
-      this->dropGone();
-      std::vector<Index> left = this->findFlat();
-      if (!isMerged && left.size() >= flat.size()) // cuts that undo each other
-      {
-        this->mergeShortestEdges(left);
-        left = this->findFlat();
-      }
-      flat = std::move(left);
+      this->LeastHeight = least;
+      this->removeLow();
     }
     if (std::ranges::find(this->IsTouched, true) != this->IsTouched.end())
     {
@@ -84,6 +77,13 @@ private:
     Index start;
     Index middle;
     Index end;
+  };
+
+  /// Points of flat triangles that hang together by edges, in their order along the line.
+  struct Chain
+  {
+    std::vector<Index> points;
+    double Vec3::*axis = nullptr; // along which no two places on the line are equal
   };
 
   const Vec3& at(Index point) const { return this->Mesh.points[point]; }
@@ -126,10 +126,17 @@ private:
     return squared(2) > squared(k) ? 2 : k;
   }
 
+  void removeExactly();
+  void removeLow();
   std::vector<Index> findFlat();
   bool mergeEqualCorners(std::span<const Index> flat);
   void mergeShortestEdges(std::span<const Index> flat);
   void mergePoints(UnionFind& sets);
+  void findChains(std::span<const Index> flat);
+  bool mergeInChains();
+  void cutAtChains(std::span<const Index> flat);
+  void appendCut(const Triangle& t, Index origin, FlatRemoval& result);
+  std::vector<Index> between(Index from, Index to) const;
   void dissolve(std::span<const Index> flat);
   void dissolveOne(Index number);
   void fileEdges(Index number);
@@ -146,12 +153,53 @@ private:
   TriMesh Mesh;
   std::vector<Index> Origin;
 
-  std::vector<bool> IsTouched;                          // per point: a corner of what was changed
+  std::vector<bool> IsTouched; // per point: a corner of what was changed
+  std::vector<bool> IsOnLine;  // per point: a corner of a flat triangle
+
+  // exact: flat triangles that hang together by edges, all on one line
+  std::vector<Chain> Chains;
+  std::unordered_map<std::uint64_t, Index> ChainOf; // per edge of a flat triangle
+
+  // with a tolerance
   std::vector<bool> IsGone;                             // per triangle
-  std::vector<bool> IsOnLine;                           // per point: a corner of a flat triangle
   std::unordered_multimap<std::uint64_t, Index> ByEdge; // triangles at edges between such points
   std::priority_queue<std::pair<double, Index>> Queue;  // flat triangles by their squared length
 };
+
+/// Nothing moves, and nothing without area comes about: what is cut has a corner off the line.
+void FlatRemover::removeExactly()
+{
+  for (std::vector<Index> flat = this->findFlat(); !flat.empty(); flat = this->findFlat())
+  {
+    if (this->mergeEqualCorners(flat))
+    {
+      continue; // with fewer points
+    }
+    flat = this->findFlat(); // without those that name a point twice
+    this->findChains(flat);
+    if (!this->mergeInChains())
+    {
+      this->cutAtChains(flat);
+    }
+  }
+}
+
+void FlatRemover::removeLow()
+{
+  for (std::vector<Index> flat = this->findFlat(); !flat.empty();)
+  {
+    this->mergeEqualCorners(flat);
+    this->dissolve(this->findFlat());
+    this->dropGone();
+    std::vector<Index> left = this->findFlat();
+    if (left.size() > flat.size() / 2) // cuts that undo each other
+    {
+      this->mergeShortestEdges(left);
+      left = this->findFlat();
+    }
+    flat = std::move(left);
+  }
+}
 
 std::vector<Index> FlatRemover::findFlat()
 {
@@ -241,7 +289,149 @@ void FlatRemover::mergePoints(UnionFind& sets)
   this->dropGone();
 }
 
-/// Takes flat triangles out, the longest first, so that what is cut becomes shorter and this ends.
+void FlatRemover::findChains(std::span<const Index> flat)
+{
+  this->ChainOf.clear();
+  this->IsOnLine.assign(this->Mesh.points.size(), false);
+  UnionFind sets(flat.size());
+  for (Index i = 0; i < flat.size(); ++i)
+  {
+    const Triangle& t = this->Mesh.triangles[flat[i]];
+    for (const Index corner : t)
+    {
+      this->IsOnLine[corner] = true;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Index first = this->ChainOf.emplace(keyOf(t[k], t[(k + 1) % 3]), i).first->second;
+      if (const Index a = sets.root(first), b = sets.root(i); a != b)
+      {
+        sets.join(std::min(a, b), std::max(a, b));
+      }
+    }
+  }
+  for (auto& [edge, chain] : this->ChainOf)
+  {
+    chain = sets.root(chain);
+  }
+  this->Chains.assign(flat.size(), {}); // those of roots are in use
+  for (Index i = 0; i < flat.size(); ++i)
+  {
+    std::vector<Index>& points = this->Chains[sets.root(i)].points;
+    const Triangle& t = this->Mesh.triangles[flat[i]];
+    points.insert(points.end(), t.begin(), t.end());
+  }
+  for (Chain& chain : this->Chains)
+  {
+    std::vector<Index>& points = chain.points;
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    for (double Vec3::*const axis : { &Vec3::x, &Vec3::y, &Vec3::z })
+    {
+      const bool isLevel = std::ranges::all_of(
+        points, [&](Index point) { return this->at(point).*axis == this->at(points[0]).*axis; });
+      chain.axis = chain.axis == nullptr && !isLevel ? axis : chain.axis;
+    }
+    if (chain.axis != nullptr)
+    {
+      std::ranges::stable_sort(
+        points, {}, [&](Index point) { return this->at(point).*chain.axis; });
+    }
+  }
+}
+
+/// Points of a chain in one place become one. @return whether there were such
+bool FlatRemover::mergeInChains()
+{
+  UnionFind sets(this->Mesh.points.size());
+  bool isMerged = false;
+  for (const Chain& chain : this->Chains)
+  {
+    for (std::size_t i = 1; i < chain.points.size(); ++i)
+    {
+      const Index a = sets.root(chain.points[i - 1]);
+      const Index b = sets.root(chain.points[i]);
+      if (a != b && this->at(a) == this->at(b))
+      {
+        sets.join(std::min(a, b), std::max(a, b));
+        isMerged = true;
+      }
+    }
+  }
+  if (isMerged)
+  {
+    this->mergePoints(sets);
+  }
+  return isMerged;
+}
+
+/// Takes the flat triangles out and cuts all others that have edges of theirs at every point of the
+/// chain on these edges. The pieces of these edges meet those of the others: what flat triangles of
+/// a line have as their border is, piece by piece, as often there one way as the other.
+void FlatRemover::cutAtChains(std::span<const Index> flat)
+{
+  FlatRemoval result;
+  auto next = flat.begin();
+  for (Index number = 0; number < this->Mesh.triangles.size(); ++number)
+  {
+    if (next != flat.end() && *next == number)
+    {
+      ++next;
+      continue;
+    }
+    this->appendCut(this->Mesh.triangles[number], this->Origin[number], result);
+  }
+  this->Mesh.triangles = std::move(result.mesh.triangles);
+  this->Origin = std::move(result.triangleOrigin);
+}
+
+void FlatRemover::appendCut(const Triangle& t, Index origin, FlatRemoval& result)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    std::vector<Index> ends = this->between(t[k], t[(k + 1) % 3]);
+    if (!ends.empty())
+    {
+      ends.push_back(t[(k + 1) % 3]);
+      Index from = t[k];
+      for (const Index to : ends)
+      {
+        this->IsTouched[from] = true;
+        this->appendCut({ from, to, t[(k + 2) % 3] }, origin, result);
+        from = to;
+      }
+      return;
+    }
+  }
+  result.mesh.triangles.push_back(t);
+  result.triangleOrigin.push_back(origin);
+}
+
+/// The points of a chain on one of its edges, in their order; none for other edges.
+std::vector<Index> FlatRemover::between(Index from, Index to) const
+{
+  const auto found = this->IsOnLine[from] && this->IsOnLine[to]
+    ? this->ChainOf.find(keyOf(from, to))
+    : this->ChainOf.end();
+  if (found == this->ChainOf.end())
+  {
+    return {};
+  }
+  const Chain& chain = this->Chains[found->second];
+  const auto place = [&](Index point) { return this->at(point).*chain.axis; };
+  const auto [low, high] = std::minmax({ place(from), place(to) });
+  const auto first = std::ranges::upper_bound(chain.points, low, {}, place);
+  const auto last = std::ranges::lower_bound(chain.points, high, {}, place);
+  std::vector<Index> points(first, last);
+  if (place(from) > place(to))
+  {
+    std::ranges::reverse(points);
+  }
+  return points;
+}
+
+/// Takes flat triangles out and cuts their neighbours along the longest edge, the longest ones
+/// first, so that what is cut becomes shorter and this ends.
 void FlatRemover::dissolve(std::span<const Index> flat)
 {
   this->IsGone.assign(this->Mesh.triangles.size(), false);
@@ -259,7 +449,7 @@ void FlatRemover::dissolve(std::span<const Index> flat)
   {
     this->fileEdges(number);
   }
-  // Rounding and a tolerance hide which of two is longer: there this may go round in circles.
+  // a tolerance hides which of two is longer: this may go round in circles
   std::size_t rest = 16 * (flat.size() + 64);
   for (; !this->Queue.empty() && rest > 0; --rest)
   {
@@ -332,15 +522,7 @@ void FlatRemover::dropGone()
 
 FlatRemover::Line FlatRemover::lineOf(const Triangle& t) const
 {
-  const auto isBetween = [&](std::size_t k)
-  {
-    return CGAL::collinear_are_ordered_along_line(
-      exact(this->at(t[(k + 2) % 3])), exact(this->at(t[k])), exact(this->at(t[(k + 1) % 3])));
-  };
-  const std::size_t k = this->LeastHeight > 0.0 ? this->oppositeLongest(t)
-    : isBetween(0)                              ? 0
-    : isBetween(1)                              ? 1
-                                                : 2;
+  const std::size_t k = this->oppositeLongest(t);
   return { t[(k + 2) % 3], t[k], t[(k + 1) % 3] };
 }
 

@@ -23,13 +23,13 @@ struct FlatRemoval
 };
 
 /// Takes out the triangles without area, those that name a point twice too, and leaves no gap where
-/// they were: neighbours along the longest edge of such a triangle are cut at its third corner, and
-/// corners in one place become one point; two triangles that thereby come to lie upon each other
-/// and face opposite sides go. A closed surface stays closed. Triangles keep their order, parts of
-/// one follow each other; points stay, also those that no triangle uses any more. A mesh without
-/// such triangles is returned as it is.
+/// they were: neighbours along an edge of such triangles are cut at the other corners that lie on
+/// it, and corners in one place become one point; two triangles that thereby come to lie upon each
+/// other and face opposite sides go. A closed surface stays closed. Triangles keep their order,
+/// parts of one follow each other; points stay, also those that no triangle uses any more. A mesh
+/// without such triangles is returned as it is.
 ///
-/// Linear time. Throws Cancelled.
+/// Time n log n for n triangles. Throws Cancelled.
 /// @param mesh its triangles name points that are there
 /// @param leastHeight 0: exact, only what lies on a line has no area, and nothing moves; more: so
 ///   does what is not higher than that, and corners move that far, or where cuts would undo each

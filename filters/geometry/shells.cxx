@@ -5,6 +5,7 @@
 #include "filters/geometry/union_find.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -14,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -31,11 +34,60 @@ using Box = bg::model::box<bg::model::point<double, N, bg::cs::cartesian>>;
 template <std::size_t N>
 using Boxes = bg::index::rtree<std::pair<Box<N>, Index>, bg::index::quadratic<16>>;
 
-/// Six times the volume between a triangle and a point.
-double sixVolumes(const TriMesh& mesh, const Triangle& triangle, const Vec3& from)
+/// Six times the volume between a triangle and a point. Short edges keep the rounding small.
+template <class Number>
+Number sixVolumes(const TriMesh& mesh, const Triangle& triangle, const Vec3& from)
 {
-  const auto& [a, b, c] = triangle;
-  return dot(mesh.points[a] - from, cross(mesh.points[b] - from, mesh.points[c] - from));
+  const auto difference = [&](const Vec3& p, const Vec3& q)
+  {
+    return std::array{ Number(p.x) - Number(q.x), Number(p.y) - Number(q.y),
+      Number(p.z) - Number(q.z) };
+  };
+  const Vec3& a = mesh.points[triangle[0]];
+  const auto [x, y, z] = difference(a, from);
+  const auto [ux, uy, uz] = difference(mesh.points[triangle[1]], a);
+  const auto [vx, vy, vz] = difference(mesh.points[triangle[2]], a);
+  return x * (uy * vz - uz * vy) + y * (uz * vx - ux * vz) + z * (ux * vy - uy * vx);
+}
+
+/// What the rounding errors of sixVolumes() are relative to.
+double magnitudeOfVolume(const TriMesh& mesh, const Triangle& triangle, const Vec3& from)
+{
+  const auto length = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const Vec3& a = mesh.points[triangle[0]];
+  return length(a - from) * length(mesh.points[triangle[1]] - a) *
+    length(mesh.points[triangle[2]] - a);
+}
+
+/// Gives closed shells that enclose less than the rounding of their volume the exact one.
+/// @param magnitudes per shell, of all its triangles
+void correctVolumes(const TriMesh& mesh, const std::vector<double>& magnitudes, Shells& shells)
+{
+  std::map<Index, CGAL::MP_Float> exact;
+  for (Index i = 0; i < shells.shells.size(); ++i)
+  {
+    const Shell& shell = shells.shells[i];
+    const double error =
+      std::numeric_limits<double>::epsilon() * (shell.triangles + 16.0) * magnitudes[i];
+    if (shell.isClosed && std::isfinite(error) && 6.0 * std::abs(shell.volume) <= error)
+    {
+      exact.emplace(i, 0.0);
+    }
+  }
+  for (Index t = 0; t < mesh.triangles.size() && !exact.empty(); ++t)
+  {
+    if (const auto found = exact.find(shells.shellOf[t]); found != exact.end())
+    {
+      const Triangle& first = mesh.triangles[shells.shells[found->first].firstTriangle];
+      found->second += sixVolumes<CGAL::MP_Float>(mesh, mesh.triangles[t], mesh.points[first[0]]);
+    }
+  }
+  for (const auto& [shell, six] : exact)
+  {
+    const double least = std::numeric_limits<double>::denorm_min(); // the sign must stay
+    const double most = std::max(std::abs(CGAL::to_double(six)) / 6.0, least);
+    shells.shells[shell].volume = static_cast<int>(CGAL::sign(six)) * most;
+  }
 }
 
 /// How often, and which way, a triangle winds around a point seen along z: 1, -1 or 0. A point on
@@ -283,6 +335,7 @@ Shells findShells(const TriMesh& mesh, std::span<const Index> mate)
   }
   Shells result;
   result.shellOf.resize(mesh.triangles.size());
+  std::vector<double> magnitudes;
   for (Index t = 0; t < mesh.triangles.size(); ++t)
   {
     const Index root = sets.root(t); // the first triangle of the shell
@@ -295,7 +348,9 @@ Shells findShells(const TriMesh& mesh, std::span<const Index> mate)
     Shell& shell = result.shells[result.shellOf[t]];
     const Vec3& from = mesh.points[mesh.triangles[root][0]];
     ++shell.triangles;
-    shell.volume += sixVolumes(mesh, mesh.triangles[t], from) / 6.0;
+    magnitudes.resize(result.shells.size());
+    magnitudes[result.shellOf[t]] += magnitudeOfVolume(mesh, mesh.triangles[t], from);
+    shell.volume += sixVolumes<double>(mesh, mesh.triangles[t], from) / 6.0;
     for (std::size_t k = 0; k < 3; ++k)
     {
       shell.isClosed = shell.isClosed && mate[3 * std::size_t{ t } + k] != kNone;
@@ -305,6 +360,7 @@ Shells findShells(const TriMesh& mesh, std::span<const Index> mate)
   {
     shell.volume = shell.isClosed ? shell.volume : 0.0;
   }
+  correctVolumes(mesh, magnitudes, result);
   return result;
 }
 

@@ -17,7 +17,8 @@ struct Shell
   Index firstTriangle = 0;
   Index triangles = 0;
   bool isClosed = false;
-  /// Of a closed shell what it encloses, negative when it faces inwards; 0 of an open one.
+  /// Of a closed shell what it encloses, negative when it faces inwards; 0 of an open one. Where
+  /// rounding could hide the sign it is computed exactly.
   double volume = 0.0;
   /// Of a closed shell: the number of the smallest closed shell around it, whichever way that
   /// faces; kNone when there is none.

@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <random>
 
 using namespace scan;
@@ -261,6 +263,70 @@ TEST(ConsistentSurface, KeepsTheFirstOfRepeatedTriangles)
       EXPECT_EQ(*describeMesh(surface.mesh).volume, volume);
     }
   }
+}
+
+TEST(ConsistentSurface, KeepsWallsBetweenBodies)
+{
+  // a cell of space that is full, with a wall of two layers to the next one, which is full, too
+  TriMesh mesh;
+  const TriMesh cube = corpus::voxelBorder(1, [](Index, Index, Index) { return true; });
+  std::map<std::array<double, 3>, Index> known;
+  for (const double shift : { 0.0, 1.0 })
+  {
+    for (const Triangle& t : cube.triangles)
+    {
+      Triangle moved = {};
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Vec3 p = cube.points[t[k]] + Vec3{ shift, 0, 0 };
+        const auto [at, isNew] =
+          known.emplace(std::array{ p.x, p.y, p.z }, static_cast<Index>(mesh.points.size()));
+        if (isNew)
+        {
+          mesh.points.push_back(p);
+        }
+        moved[k] = at->second;
+      }
+      mesh.triangles.push_back(moved);
+    }
+  }
+  ASSERT_EQ(mesh.points.size(), 12U);
+  const ConsistentSurface surface = consistent(mesh);
+  expectPromise(mesh, surface);
+  const MeshReport report = describeMesh(surface.mesh);
+  EXPECT_TRUE(report.isClosed);
+  EXPECT_EQ(*report.volume, 2.0);
+  EXPECT_EQ(report.components.size(), 2U);
+  EXPECT_EQ(surface.changes.repeats, 0U);
+}
+
+TEST(ConsistentSurface, MakesOneOfTwoLayers)
+{
+  // an open sheet that is there from both sides
+  TriMesh mesh = corpus::square();
+  const std::vector<Triangle> front = mesh.triangles;
+  for (const Triangle& t : front)
+  {
+    mesh.triangles.push_back({ t[0], t[2], t[1] });
+  }
+  const ConsistentSurface surface = consistent(mesh);
+  EXPECT_EQ(surface.mesh.triangles, front);
+  EXPECT_EQ(surface.changes.repeats, 2U);
+}
+
+TEST(ConsistentSurface, LeavesSliversThatFaceOutwards)
+{
+  // it encloses 1.5e-19, less than the rounding of that
+  const TriMesh sliver = { { { 0.5, 0.2, 0.29 }, { 0.6, 0, 0.18 }, { 0.1, 0.8, 0.59 },
+                             { 0.1, 0.5, 0.38 } },
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } } };
+  EXPECT_FALSE(consistent(sliver).changes.any());
+  TriMesh inward = sliver;
+  for (Triangle& t : inward.triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  EXPECT_EQ(consistent(inward).mesh.triangles, sliver.triangles);
 }
 
 TEST(ConsistentSurface, TurnsTheSmallerPart)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -103,6 +104,51 @@ TEST(RemoveFlatTriangles, DissolvesLongFans)
     EXPECT_EQ(report.boundaryEdges, 4U) << n;
     EXPECT_TRUE(report.isManifold && report.isOriented) << n;
     EXPECT_NEAR(report.area, 1.0, 1e-12) << n;
+  }
+}
+
+TEST(RemoveFlatTriangles, DissolvesZigzagStrips)
+{
+  // two fans whose borders have points on one line, by turns, and flat triangles between them
+  for (const Index n : { 3U, 64U, 5000U })
+  {
+    TriMesh mesh{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, -1, 0 } }, {} };
+    std::array<std::vector<Index>, 2> sides = { std::vector<Index>{ 0 }, { 0 } };
+    for (Index i = 1; i < 2 * n; ++i)
+    {
+      sides[i % 2].push_back(static_cast<Index>(mesh.points.size()));
+      mesh.points.push_back({ i / 16384.0, 0, 0 });
+    }
+    sides[0].push_back(1);
+    sides[1].push_back(1);
+    for (std::size_t i = 1; i < sides[0].size(); ++i)
+    {
+      mesh.triangles.push_back({ sides[0][i - 1], sides[0][i], 2 });
+    }
+    for (std::size_t i = 1; i < sides[1].size(); ++i)
+    {
+      mesh.triangles.push_back({ sides[1][i], sides[1][i - 1], 3 });
+    }
+    std::vector<Index> border = sides[1]; // along the lower side and back along the upper one
+    border.insert(border.end(), sides[0].rbegin() + 1, sides[0].rend() - 1);
+    for (std::size_t low = 0, top = border.size() - 1; low + 1 < top;)
+    {
+      mesh.triangles.push_back({ border[low], border[low + 1], border[top] });
+      if (++low + 1 < top)
+      {
+        mesh.triangles.push_back({ border[low], border[top - 1], border[top] });
+        --top;
+      }
+    }
+    ASSERT_EQ(describeMesh(mesh).boundaryEdges, 4U);
+    const FlatRemoval removal = withoutFlat(mesh);
+    const MeshReport report = describeMesh(removal.mesh);
+    EXPECT_EQ(report.flatTriangles + report.collapsedTriangles, 0U) << n;
+    EXPECT_EQ(report.boundaryEdges, 4U) << n;
+    EXPECT_TRUE(report.isManifold && report.isOriented) << n;
+    EXPECT_NEAR(report.area, 1.0, 1e-12) << n;
+    EXPECT_EQ(report.triangles, 4 * std::size_t{ n }) << n;
+    EXPECT_GT(removal.cut, n);
   }
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The VTK readers and writers of the project, against each other and against VTK's own.
 #include "filters/base/vtkScanMeshBridge.h"
+#include "filters/geometry/flat_triangles.h"
 #include "readers/vtkScanGltfReader.h"
 #include "readers/vtkScanObjReader.h"
 #include "readers/vtkScanPlyReader.h"
 #include "readers/vtkScanPointsReader.h"
 #include "readers/vtkScanStlReader.h"
+#include "readers/vtkScanThreemfReader.h"
 #include "tests/readers/temporary_folder.h"
 #include "tests/writers/written.h"
 #include "writers/vtkScanAutodesk3dsWriter.h"
@@ -450,6 +452,29 @@ TEST(VtkScanWriter, DropsWhatRoundingMakesFlat)
               "1 triangle without area left out; the format holds 7 digits"),
     std::string::npos);
   EXPECT_EQ(written<vtkScanPlyWriter>(model).note, "");
+}
+
+TEST(VtkScanWriter, AgreesWithEveryReaderOfText)
+{
+  // flat as float32, and what mends that is flat as float64
+  const scan::Model model{
+    { { { 0, 1, 0 }, { 2, 1, 0 }, { 1, 1.0000000009313226, 0 }, { 256, 1.0000002384185791, 0 } },
+      { { 0, 2, 1 }, { 0, 1, 3 } } }
+  };
+  const TemporaryFolder folder;
+  vtkNew<vtkScanThreemfWriter> writer;
+  writtenBy(*writer, model, folder.file("a.3mf"));
+  vtkNew<vtkScanThreemfReader> reader;
+  reader->SetFileName(folder.file("a.3mf").c_str());
+  reader->Update();
+  const scan::Model read = scan::bridge::modelOf(*reader->GetOutput());
+  EXPECT_FALSE(read.triangles.empty());
+  for (const auto& [a, b, c] : read.triangles)
+  {
+    const std::vector<scan::Vec3> single = scan::roundedToFloat(read.points);
+    EXPECT_FALSE(scan::isFlat(read.points[a], read.points[b], read.points[c]));
+    EXPECT_FALSE(scan::isFlat(single[a], single[b], single[c]));
+  }
 }
 
 TEST(VtkScanWriter, KeepsThePointsOfASurfaceWithoutArea)
