@@ -58,6 +58,41 @@ std::string listOf(const std::vector<std::string>& extensions)
   return text;
 }
 
+/// A line of the table of formats.
+std::string tableRow(const Format& format)
+{
+  const auto held = [](bool isThere, const Abilities& can)
+  {
+    std::vector<std::string> kinds;
+    for (const auto& [isHeld, kind] : { std::pair{ can.points, "points" },
+           { can.triangles, "triangles" }, { can.curves, "curves" } })
+    {
+      if (isThere && isHeld)
+      {
+        kinds.emplace_back(kind);
+      }
+    }
+    return isThere ? listOf(kinds) : std::string("no");
+  };
+  const auto ways = [](bool isRead, bool isWritten)
+  {
+    return std::string(isRead && isWritten ? "read, written"
+        : isRead                           ? "read"
+        : isWritten                        ? "written"
+                                           : "no");
+  };
+  const Abilities& reads = format.reads;
+  const Abilities& writes = format.writes;
+  const std::string unit = reads.unit == writes.unit || writes.unit.empty() ? reads.unit
+    : reads.unit.empty()                                                    ? writes.unit
+                         : "read: " + reads.unit + ", written: " + writes.unit;
+  return std::string("| ") + format.name + " | " + listOf(format.extensions) + " | " +
+    held(format.makeReader != nullptr, reads) + " | " + held(format.makeWriter != nullptr, writes) +
+    " | " + ways(reads.colors, writes.colors) + " | " + ways(reads.normals, writes.normals) +
+    " | " + (unit.empty() ? "no" : unit) + " | " +
+    (writes.limits.empty() ? reads.limits : writes.limits) + " |\n";
+}
+
 } // namespace
 
 void checkReadOptions(const ReadOptions& options)
@@ -189,44 +224,11 @@ std::string lossesOf(const Format& format, vtkPolyData& model)
 
 std::string formatTable()
 {
-  const auto held = [](bool isThere, const Abilities& can)
-  {
-    std::vector<std::string> kinds;
-    for (const auto& [isHeld, kind] : { std::pair{ can.points, "points" },
-           { can.triangles, "triangles" }, { can.curves, "curves" } })
-    {
-      if (isThere && isHeld)
-      {
-        kinds.emplace_back(kind);
-      }
-    }
-    return isThere ? listOf(kinds) : std::string("no");
-  };
-  const auto ways = [](bool isRead, bool isWritten)
-  {
-    return std::string(isRead && isWritten ? "read, written"
-        : isRead                           ? "read"
-        : isWritten                        ? "written"
-                                           : "no");
-  };
   std::string text = "| format | names | read | written | colours | normals | unit | limits |\n"
                      "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Format& format : formats())
   {
-    if (format.isPicture)
-    {
-      continue;
-    }
-    const Abilities& reads = format.reads;
-    const Abilities& writes = format.writes;
-    const std::string unit = reads.unit == writes.unit || writes.unit.empty() ? reads.unit
-      : reads.unit.empty()                                                    ? writes.unit
-                           : "read: " + reads.unit + ", written: " + writes.unit;
-    text += "| " + format.name + " | " + listOf(format.extensions) + " | " +
-      held(format.makeReader != nullptr, reads) + " | " +
-      held(format.makeWriter != nullptr, writes) + " | " + ways(reads.colors, writes.colors) +
-      " | " + ways(reads.normals, writes.normals) + " | " + (unit.empty() ? "no" : unit) + " | " +
-      (writes.limits.empty() ? reads.limits : writes.limits) + " |\n";
+    text += format.isPicture ? "" : tableRow(format);
   }
   return text;
 }

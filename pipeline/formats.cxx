@@ -172,6 +172,7 @@ Parameter encodingParameter()
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<Format>& formats()
 {
   static const std::vector<Format> kFormats{

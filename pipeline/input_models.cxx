@@ -34,7 +34,7 @@ namespace
 
 vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData& data)
 {
-  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(&data);
   return copy;
 }

@@ -265,7 +265,10 @@ ParameterValues completeValues(
     const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
     if (parameter == parameters.end())
     {
-      throw Error(ErrorCode::badParameter, owner + ": there is no option --" + name);
+      std::string message = owner;
+      message += ": there is no option --";
+      message += name;
+      throw Error(ErrorCode::badParameter, message);
     }
     checkValue(*parameter, value);
     values[name] = value;

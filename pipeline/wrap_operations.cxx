@@ -219,7 +219,7 @@ std::string editNote(vtkAlgorithm& algorithm)
 /// A row of the wrap stage: an edit with its own parameters and results beside the common ones.
 template <class Filter>
 Operation editOperation(std::string verb, std::string help, std::string example,
-  std::vector<Parameter> parameters, void (*set)(Filter&, const ParameterValues&),
+  const std::vector<Parameter>& parameters, void (*set)(Filter&, const ParameterValues&),
   Results (*found)(const Filter&))
 {
   Operation row;

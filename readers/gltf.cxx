@@ -201,7 +201,7 @@ private:
     {
       mesh.triangleCount += primitive.mode == kTriangles ? count / 3 : count - 2;
     }
-    mesh.primitives.push_back(std::move(primitive));
+    mesh.primitives.push_back(primitive);
   }
 
   // ---- The model

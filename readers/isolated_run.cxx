@@ -94,7 +94,7 @@ void detach()
   const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nothing, STDOUT_FILENO);
   ::dup2(nothing, STDERR_FILENO);
-  std::setlocale(LC_ALL, "C");
+  std::setlocale(LC_ALL, "C"); // NOLINT(concurrency-mt-unsafe): alone
 }
 
 [[noreturn]] void runCopy(const Work& work, int pipe) noexcept

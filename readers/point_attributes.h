@@ -30,7 +30,7 @@ inline bool isChannel(double value)
 /// The nearest channel of a value that is one.
 inline std::uint8_t toChannel(double value)
 {
-  return static_cast<std::uint8_t>(value + 0.5);
+  return static_cast<std::uint8_t>(std::lround(value));
 }
 
 } // namespace scan

@@ -86,7 +86,7 @@ private:
         }
       }
     }
-    const std::string name = this->Archive.firstThatEndsWith(".model");
+    std::string name = this->Archive.firstThatEndsWith(".model");
     if (name.empty())
     {
       this->Input.fail("the archive has no 3D model; it is not a 3MF file");
@@ -118,8 +118,8 @@ private:
     const auto found = part.objects.find(use.object);
     if (found == part.objects.end())
     {
-      this->Input.fail(
-        name + ": there is no object " + std::to_string(use.object) + "; the file is incomplete");
+      this->Input.fail("the part " + scan::quoted(name) + " has no object " +
+        std::to_string(use.object) + "; the file is incomplete");
     }
     return found->second;
   }

@@ -72,6 +72,7 @@ public:
   }
 
 private:
+  // NOLINTNEXTLINE(readability-function-cognitive-complexity): a table
   Level start(Level parent)
   {
     const std::string_view name = this->Xml.name();

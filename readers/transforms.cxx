@@ -115,7 +115,7 @@ private:
       {
         this->Text.failAtLine(this->At, "a name without its closing quote");
       }
-      const std::string name(this->At + 1, stop);
+      std::string name(this->At + 1, stop);
       this->At = stop + 1;
       return name;
     }

@@ -205,7 +205,8 @@ void XmlScanner::fail(const std::string& what) const
   const auto passed = this->Buffer.begin() + static_cast<std::ptrdiff_t>(this->At);
   const auto lines =
     this->Lines + static_cast<std::size_t>(std::count(this->Buffer.begin(), passed, '\n'));
-  this->Text.source().fail(this->Text.name() + ": line " + std::to_string(lines + 1) + ": " + what);
+  this->Text.source().fail(
+    "part " + quoted(this->Text.name()) + ", line " + std::to_string(lines + 1) + ": " + what);
 }
 
 } // namespace scan

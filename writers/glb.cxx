@@ -315,7 +315,7 @@ private:
       [](const Color& color)
       {
         const auto light = [&](std::size_t i)
-        { return static_cast<std::uint16_t>(linearOf(color[i]) * kOpaque + 0.5); };
+        { return static_cast<std::uint16_t>(std::lround(linearOf(color[i]) * kOpaque)); };
         return Rgba{ light(0), light(1), light(2), kOpaque };
       });
     this->putAll(model.triangles, asItIs);

@@ -22,8 +22,8 @@ namespace scan
 namespace
 {
 
-constexpr std::size_t kPerBlock = 1U << 13U; // elements
-constexpr std::size_t kLongest = 128;        // characters of an element
+constexpr std::size_t kPerBlock = 8192; // elements
+constexpr std::size_t kLongest = 128;   // characters of an element
 
 constexpr std::string_view kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 

@@ -99,7 +99,7 @@ void turnNormals(const scan::ConsistentSurface& surface, vtkIdType firstTriangle
 vtkSmartPointer<vtkPolyData> dataOn(
   const scan::ConsistentSurface& surface, const std::vector<vtkIdType>& cellOf, vtkPolyData& data)
 {
-  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  auto result = vtkSmartPointer<vtkPolyData>::New();
   scan::bridge::setMesh(*result, surface.mesh);
   result->SetVerts(data.GetVerts());
   result->SetLines(data.GetLines());

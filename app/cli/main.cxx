@@ -93,8 +93,9 @@ int main(int argc, char** argv)
   const scan::CancelToken token;
   scan::reserveStandardDescriptors();
   scan::cancelOnSignals(token);
-  ::mallopt(M_MMAP_MAX, 0); // each phase uses the pages of the last: fresh ones are slow
-  ::mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  // each phase uses the pages of the last: fresh ones are slow
+  ::mallopt(M_MMAP_MAX, 0);                                // NOLINT(concurrency-mt-unsafe): alone
+  ::mallopt(M_TRIM_THRESHOLD, INT_MAX);                    // NOLINT(concurrency-mt-unsafe): alone
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);                   // NOLINT(concurrency-mt-unsafe): alone
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // errors are reported once, by us
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();

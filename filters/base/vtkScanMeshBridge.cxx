@@ -150,7 +150,7 @@ vtkSmartPointer<vtkCellArray> cellsOf(const Polylines& lines)
 {
   vtkNew<vtkTypeInt64Array> offsets;
   vtkNew<vtkTypeInt64Array> connectivity;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(lines.size() + 1));
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(lines.size()) + 1);
   connectivity->SetNumberOfValues(static_cast<vtkIdType>(lines.corners.size()));
   vtkTypeInt64* const first = offsets->GetPointer(0);
   first[0] = 0;

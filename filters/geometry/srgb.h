@@ -23,7 +23,7 @@ inline std::uint8_t channelOf(double light)
   const double value = light > 0.0 ? std::min(light, 1.0) : 0.0;
   const double channel =
     value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(channel * 255.0 + 0.5);
+  return static_cast<std::uint8_t>(std::lround(channel * 255.0));
 }
 
 } // namespace scan

@@ -122,7 +122,7 @@ TEST(Threemf, KnowsEveryUnit)
   EXPECT_EQ(unit("foot"), 304.8);
   EXPECT_EQ(unit("meter"), 1000.0);
   EXPECT_NE(
-    error(file(model(kObject, kItem, "mile"))).find("my.model: line 2: unknown unit 'mile'"),
+    error(file(model(kObject, kItem, "mile"))).find("my.model', line 2: unknown unit 'mile'"),
     std::string::npos);
 }
 
@@ -176,12 +176,14 @@ TEST(Threemf, NamesTheLineOfMalformedText)
     return error(file(text));
   };
   EXPECT_EQ(errorWith("v3=\"2\"", "v3=\"3\""),
-    "file: 3D/my.model: line 6: a triangle refers to vertex 3, but there are 3, counted from 0");
-  EXPECT_EQ(errorWith("1.5", "1,5"), "file: 3D/my.model: line 5: expected a number, found '1,5'");
+    "file: part '3D/my.model', line 6: a triangle refers to vertex 3, but there are 3, counted "
+    "from 0");
   EXPECT_EQ(
-    errorWith("v1=\"0\"", "v1=\"-1\""), "file: 3D/my.model: line 6: expected an index, found '-1'");
+    errorWith("1.5", "1,5"), "file: part '3D/my.model', line 5: expected a number, found '1,5'");
+  EXPECT_EQ(errorWith("v1=\"0\"", "v1=\"-1\""),
+    "file: part '3D/my.model', line 6: expected an index, found '-1'");
   EXPECT_EQ(errorWith("x=\"1.5\" ", ""),
-    "file: 3D/my.model: line 5: the tag 'vertex' lacks the attribute 'x'");
+    "file: part '3D/my.model', line 5: the tag 'vertex' lacks the attribute 'x'");
   EXPECT_NE(errorWith("x=\"1.5\"", "x=1.5").find("malformed attribute in the tag 'vertex'"),
     std::string::npos);
   EXPECT_NE(errorWith("<resources>", "<!DOCTYPE a [<!ENTITY b 'c'>]>").find("document type"),
@@ -191,7 +193,7 @@ TEST(Threemf, NamesTheLineOfMalformedText)
   EXPECT_NE(
     errorWith("</build>", "<!-- </build>").find("ends inside a comment"), std::string::npos);
   EXPECT_NE(
-    errorWith("objectid=\"4\"", "objectid=\"5\"").find("there is no object 5"), std::string::npos);
+    errorWith("objectid=\"4\"", "objectid=\"5\"").find("has no object 5"), std::string::npos);
   EXPECT_NE(errorWith("objectid=\"4\"", "objectid=\"4\" transform=\"1 0 0\"")
               .find("expected a transform of 12 numbers, found '1 0 0'"),
     std::string::npos);
