@@ -82,8 +82,11 @@ Repeats findRepeats(const TriMesh& mesh, const EdgePairs& pairs)
 class WallSearch
 {
 public:
-  WallSearch(const TriMesh& mesh, const EdgePairs& pairs, const Repeats& repeats)
+  /// @param isLeftOut per triangle: whether it does not count
+  WallSearch(const TriMesh& mesh, const EdgePairs& pairs, const Repeats& repeats,
+    const std::vector<bool>& isLeftOut)
     : Mesh(mesh)
+    , IsLeftOut(isLeftOut)
     , Sets(repeats.size())
     , Group(mesh.triangles.size(), kNone)
     , IsBalanced(repeats.size(), true)
@@ -149,48 +152,77 @@ private:
   void seeEdge(std::span<const Index> halves)
   {
     Index root = kNone;
-    Index forwards = 0;
+    int balance = 0;
     bool hasNeighbours = false;
     for (const Index half : halves)
     {
+      if (this->IsLeftOut[half / 3])
+      {
+        continue;
+      }
       const Index group = this->Group[half / 3];
       root = group != kNone ? this->Sets.root(group) : root;
       hasNeighbours = hasNeighbours || group == kNone;
-      forwards += originOf(this->Mesh, half) < originOf(this->Mesh, nextHalf(half)) ? 1 : 0;
+      balance += originOf(this->Mesh, half) < originOf(this->Mesh, nextHalf(half)) ? 1 : -1;
     }
     if (root != kNone)
     {
-      this->IsBalanced[root] = this->IsBalanced[root] && 2 * forwards == halves.size();
+      this->IsBalanced[root] = this->IsBalanced[root] && balance == 0;
       this->HasNeighbours[root] = this->HasNeighbours[root] || hasNeighbours;
     }
   }
 
   const TriMesh& Mesh;
+  const std::vector<bool>& IsLeftOut;
   UnionFind Sets;           // of groups that share edges
   std::vector<Index> Group; // per triangle; kNone of those that nothing repeats
   std::vector<bool> IsBalanced;
   std::vector<bool> HasNeighbours;
 };
 
-/// Takes out all but the first of triangles with the same points, other than in walls.
+/// Marks all of a group but one: the first that faces as most of them do.
+void leaveOneOf(const std::vector<Index>& group, const TriMesh& mesh, std::vector<bool>& isLeftOut)
+{
+  const auto isOdd = [&](Index number) { return isOddPermutation(mesh.triangles[number]); };
+  const auto odd = static_cast<std::size_t>(std::ranges::count_if(group, isOdd));
+  const bool isMostlyOdd = 2 * odd > group.size() || (2 * odd == group.size() && isOdd(group[0]));
+  const Index kept =
+    *std::ranges::find_if(group, [&](Index number) { return isOdd(number) == isMostlyOdd; });
+  for (const Index number : group)
+  {
+    isLeftOut[number] = number != kept;
+  }
+}
+
+/// Takes out all but one of triangles with the same points, other than in walls.
 /// @return whether there were some
 bool removeRepeats(ConsistentSurface& surface, const EdgePairs& pairs)
 {
-  const Repeats repeats = findRepeats(surface.mesh, pairs);
+  Repeats repeats = findRepeats(surface.mesh, pairs);
   if (repeats.empty())
   {
     return false;
   }
-  WallSearch walls(surface.mesh, pairs, repeats);
   std::vector<bool> isLeftOut(surface.mesh.triangles.size());
+  std::erase_if(repeats,
+    [&](const std::vector<Index>& group)
+    {
+      const bool isLayer = group.size() % 2 == 1; // with or without pairs that cancel
+      if (isLayer)
+      {
+        leaveOneOf(group, surface.mesh, isLeftOut);
+      }
+      return isLayer;
+    });
+  WallSearch walls(surface.mesh, pairs, repeats, isLeftOut);
   for (Index i = 0; i < repeats.size(); ++i)
   {
-    for (std::size_t k = 1; k < repeats[i].size() && !walls.isWall(i); ++k)
+    if (!walls.isWall(i))
     {
-      isLeftOut[repeats[i][k]] = true;
-      ++surface.changes.repeats;
+      leaveOneOf(repeats[i], surface.mesh, isLeftOut);
     }
   }
+  surface.changes.repeats = static_cast<Index>(std::ranges::count(isLeftOut, true));
   std::size_t kept = 0;
   for (std::size_t t = 0; t < isLeftOut.size(); ++t)
   {
@@ -259,6 +291,42 @@ void turnOutwards(TriMesh& mesh, std::span<const Index> mate, Execution& executi
   }
 }
 
+/// Takes out pairs of triangles back to back that splitting has made of walls that part nothing.
+/// @param before further values per triangle
+void removePillows(
+  ConsistentSurface& surface, std::vector<Index>& mate, std::vector<Triangle>& before)
+{
+  std::vector<Index> number(surface.mesh.triangles.size(), kNone);
+  Index kept = 0;
+  for (Index t = 0; t < number.size(); ++t)
+  {
+    const auto other = [&](Index k) { return mate[3 * t + k] == kNone ? t : mate[3 * t + k] / 3; };
+    const bool isPillow = other(0) != t && other(0) == other(1) && other(1) == other(2);
+    number[t] = isPillow ? kNone : kept;
+    kept += isPillow ? 0 : 1;
+  }
+  surface.changes.repeats += static_cast<Index>(number.size()) - kept;
+  for (Index t = 0; t < number.size() && kept < number.size(); ++t)
+  {
+    if (number[t] == kNone)
+    {
+      continue;
+    }
+    surface.mesh.triangles[number[t]] = surface.mesh.triangles[t];
+    surface.triangleOrigin[number[t]] = surface.triangleOrigin[t];
+    before[number[t]] = before[t];
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index half = mate[3 * t + k];
+      mate[3 * number[t] + k] = half == kNone ? kNone : 3 * number[half / 3] + half % 3;
+    }
+  }
+  surface.mesh.triangles.resize(kept);
+  surface.triangleOrigin.resize(kept);
+  before.resize(kept);
+  mate.resize(3 * std::size_t{ kept });
+}
+
 /// Whether the triangle is the other way round. Its points may have become copies.
 bool isTurned(const Triangle& before, const Triangle& after, const std::vector<Index>& pointOrigin)
 {
@@ -291,7 +359,7 @@ ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& ex
   {
     pairs = pairEdges(surface.mesh, execution);
   }
-  const std::vector<Triangle> before = surface.mesh.triangles;
+  std::vector<Triangle> before = surface.mesh.triangles;
   if (!pairs.misoriented.empty())
   {
     turnDissenters(surface.mesh, pairs);
@@ -302,6 +370,7 @@ ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& ex
   surface.changes.edgesSplit = split.edgesSplit;
   surface.changes.verticesSplit = split.verticesSplit;
   surface.pointOrigin = std::move(split.pointOrigin);
+  removePillows(surface, split.mate, before);
   turnOutwards(surface.mesh, split.mate, execution);
   surface.isTurned.resize(before.size());
   for (std::size_t t = 0; t < before.size(); ++t)

@@ -45,8 +45,8 @@ struct ConsistentSurface
 /// or two that agree about the sides, each point one fan of triangles, and closed pieces face
 /// outwards.
 ///
-/// - Of triangles with the same points, whichever way they face, the first stays; but those that
-///   part closed pieces, as a wall between two bodies, all do.
+/// - Of triangles with the same points one stays, the first that faces as most of them; but where
+///   two layers part closed pieces, as a wall between two bodies does, both stay.
 /// - Triangles without area go, and leave no gap (removeFlatTriangles()).
 /// - Where neighbours disagree, the smaller part of their piece is turned (orientConsistently()).
 /// - Edges and points where sheets touch are split (splitNonManifold()): the surface stays where it

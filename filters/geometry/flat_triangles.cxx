@@ -588,9 +588,7 @@ void FlatRemover::cancelFolds()
     {
       Triangle sorted = { a, b, c };
       std::ranges::sort(sorted);
-      const bool isOdd = sorted != Triangle{ a, b, c } && sorted != Triangle{ b, c, a } &&
-        sorted != Triangle{ c, a, b };
-      sides.push_back({ sorted, isOdd, number });
+      sides.push_back({ sorted, isOddPermutation({ a, b, c }), number });
     }
   }
   std::ranges::stable_sort(sides, {}, &Side::corners);

@@ -30,6 +30,13 @@ inline bool isCollapsed(const Triangle& triangle)
   return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
+/// Tells which way triangles with the same points face: the same way when it is the same for both.
+inline bool isOddPermutation(const Triangle& triangle)
+{
+  const auto& [a, b, c] = triangle;
+  return ((a > b) != (b > c)) != (a > c);
+}
+
 /// Throws Error badInput when a triangle names a missing point, and limit beyond 1.4 thousand
 /// million triangles.
 void requireCorners(const TriMesh& mesh);

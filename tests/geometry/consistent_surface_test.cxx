@@ -300,6 +300,25 @@ TEST(ConsistentSurface, KeepsWallsBetweenBodies)
   EXPECT_EQ(surface.changes.repeats, 0U);
 }
 
+TEST(ConsistentSurface, KeepsBodiesWithFinsClosed)
+{
+  // a fin of two layers on an edge, and a triangle that is there three times, once reversed
+  TriMesh mesh = corpus::torus(8);
+  const double volume = *describeMesh(mesh).volume;
+  const auto [a, b, c] = mesh.triangles[0];
+  mesh.points.push_back({ 9, 9, 9 });
+  const auto tip = static_cast<Index>(mesh.points.size() - 1);
+  mesh.triangles.push_back({ a, b, tip });
+  mesh.triangles.push_back({ b, a, tip });
+  mesh.triangles.push_back({ b, c, a });
+  mesh.triangles.push_back({ a, c, b });
+  const ConsistentSurface surface = consistent(mesh);
+  const MeshReport report = describeMesh(surface.mesh);
+  EXPECT_TRUE(report.isClosed && report.isManifold && report.isOriented);
+  EXPECT_NEAR(*report.volume, volume, 1e-12);
+  EXPECT_EQ(report.components.size(), 1U);
+}
+
 TEST(ConsistentSurface, MakesOneOfTwoLayers)
 {
   // an open sheet that is there from both sides
