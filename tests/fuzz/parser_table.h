@@ -44,6 +44,7 @@ struct FuzzedParser
 };
 
 inline constexpr std::size_t kExpands = std::size_t(64) << 20U;
+inline constexpr std::size_t kGuesses = std::size_t(256) << 10U; // from a thousand lines at most
 
 /// A range map with its triangles, and colours from an image of six pixels.
 inline Model parseColoredCyberware(
@@ -105,7 +106,7 @@ inline constexpr FuzzedParser kFuzzedParsers[] = {
   { "pcd", parsePcd, looksLikePcd, kExpands },
   { "ply", parsePly, looksLikePly },
   { "ply_range_grid", parsePlyRangeGrid, looksLikePly },
-  { "points_text", parsePointsText, looksLikePointsText },
+  { "points_text", parsePointsText, looksLikePointsText, kGuesses },
   { "pts", parsePts, looksLikePts },
   { "ptx", parsePtx, looksLikePtx },
   { "sgi_image", parseImage, looksLikeSgiImage, kExpands },
