@@ -93,7 +93,7 @@ public:
     , Origin(origin)
     , Total(model.points.size() + model.triangles.size())
   {
-    const std::size_t count = std::max<std::size_t>(4 * execution.threads(), 4);
+    const std::size_t count = std::max<std::size_t>(std::size_t{ 4 } * execution.threads(), 4);
     this->Blocks.resize(count);
     for (ZipBlock& block : this->Blocks) // the threads must not throw
     {
