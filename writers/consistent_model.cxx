@@ -77,22 +77,17 @@ SurfaceChanges mend(
 
 Model consistentModel(Model model, const FormatTraits& traits, Execution& execution)
 {
+  const bool isReadTwoWays = traits.precision == Precision::float64ReadAsFloat32;
   SurfaceChanges changes;
-  constexpr int kMostRounds = 4; // where both decide, they may never agree about slivers
-  for (int round = 0; round < kMostRounds; ++round)
+  constexpr int kMostPasses = 8; // the two ways may never agree about slivers
+  for (int pass = 0; pass < kMostPasses && !model.triangles.empty(); ++pass)
   {
-    const SurfaceChanges before = changes;
-    if (traits.precision != Precision::float32 && !model.triangles.empty())
-    {
-      changes += mend(model, {}, traits.leastHeight, execution);
-    }
-    const bool isFineAlready = round > 0 && changes == before;
-    if (traits.precision != Precision::float64 && !model.triangles.empty() && !isFineAlready)
-    {
-      changes +=
-        mend(model, roundedToFloat(model.points, traits.origin), traits.leastHeight, execution);
-    }
-    if (changes == before || traits.precision != Precision::float64ReadAsFloat32)
+    const bool isSingle = isReadTwoWays ? pass % 2 == 1 : traits.precision == Precision::float32;
+    const SurfaceChanges found =
+      mend(model, isSingle ? roundedToFloat(model.points, traits.origin) : std::vector<Vec3>(),
+        traits.leastHeight, execution);
+    changes += found;
+    if (!isReadTwoWays || (pass > 0 && !found.any()))
     {
       break;
     }

@@ -14,7 +14,7 @@ public:
   void operator=(const vtkScanXyzWriter&) = delete;
 
 protected:
-  vtkScanXyzWriter() { this->Consistent = false; } // no triangles are written
+  vtkScanXyzWriter() = default;
   ~vtkScanXyzWriter() override = default;
 
   scan::FormatTraits Traits(const scan::Model& model) const override;

@@ -180,6 +180,26 @@ private:
   std::vector<bool> HasNeighbours;
 };
 
+/// @return the new number of each triangle; kNone of those that are gone
+std::vector<Index> dropTriangles(ConsistentSurface& surface, const std::vector<bool>& isGone)
+{
+  std::vector<Index> number(isGone.size(), kNone);
+  Index kept = 0;
+  for (std::size_t t = 0; t < isGone.size(); ++t)
+  {
+    if (!isGone[t])
+    {
+      surface.mesh.triangles[kept] = surface.mesh.triangles[t];
+      surface.triangleOrigin[kept] = surface.triangleOrigin[t];
+      number[t] = kept;
+      ++kept;
+    }
+  }
+  surface.mesh.triangles.resize(kept);
+  surface.triangleOrigin.resize(kept);
+  return number;
+}
+
 /// Marks all of a group but one: the first that faces as most of them do.
 void leaveOneOf(const std::vector<Index>& group, const TriMesh& mesh, std::vector<bool>& isLeftOut)
 {
@@ -223,15 +243,7 @@ bool removeRepeats(ConsistentSurface& surface, const EdgePairs& pairs)
     }
   }
   surface.changes.repeats = static_cast<Index>(std::ranges::count(isLeftOut, true));
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < isLeftOut.size(); ++t)
-  {
-    surface.mesh.triangles[kept] = surface.mesh.triangles[t];
-    surface.triangleOrigin[kept] = surface.triangleOrigin[t];
-    kept += isLeftOut[t] ? 0 : 1;
-  }
-  surface.mesh.triangles.resize(kept);
-  surface.triangleOrigin.resize(kept);
+  dropTriangles(surface, isLeftOut);
   return surface.changes.repeats > 0;
 }
 
@@ -296,24 +308,25 @@ void turnOutwards(TriMesh& mesh, std::span<const Index> mate, Execution& executi
 void removePillows(
   ConsistentSurface& surface, std::vector<Index>& mate, std::vector<Triangle>& before)
 {
-  std::vector<Index> number(surface.mesh.triangles.size(), kNone);
-  Index kept = 0;
-  for (Index t = 0; t < number.size(); ++t)
+  std::vector<bool> isPillow(surface.mesh.triangles.size());
+  for (Index t = 0; t < isPillow.size(); ++t)
   {
     const auto other = [&](Index k) { return mate[3 * t + k] == kNone ? t : mate[3 * t + k] / 3; };
-    const bool isPillow = other(0) != t && other(0) == other(1) && other(1) == other(2);
-    number[t] = isPillow ? kNone : kept;
-    kept += isPillow ? 0 : 1;
+    isPillow[t] = other(0) != t && other(0) == other(1) && other(1) == other(2);
   }
-  surface.changes.repeats += static_cast<Index>(number.size()) - kept;
-  for (Index t = 0; t < number.size() && kept < number.size(); ++t)
+  const auto pillows = static_cast<Index>(std::ranges::count(isPillow, true));
+  if (pillows == 0)
+  {
+    return;
+  }
+  surface.changes.repeats += pillows;
+  const std::vector<Index> number = dropTriangles(surface, isPillow);
+  for (Index t = 0; t < number.size(); ++t)
   {
     if (number[t] == kNone)
     {
       continue;
     }
-    surface.mesh.triangles[number[t]] = surface.mesh.triangles[t];
-    surface.triangleOrigin[number[t]] = surface.triangleOrigin[t];
     before[number[t]] = before[t];
     for (Index k = 0; k < 3; ++k)
     {
@@ -321,10 +334,8 @@ void removePillows(
       mate[3 * number[t] + k] = half == kNone ? kNone : 3 * number[half / 3] + half % 3;
     }
   }
-  surface.mesh.triangles.resize(kept);
-  surface.triangleOrigin.resize(kept);
-  before.resize(kept);
-  mate.resize(3 * std::size_t{ kept });
+  before.resize(surface.mesh.triangles.size());
+  mate.resize(3 * surface.mesh.triangles.size());
 }
 
 /// Whether the triangle is the other way round. Its points may have become copies.

@@ -28,7 +28,6 @@ struct SurfaceChanges
   }
 
   SurfaceChanges& operator+=(const SurfaceChanges& other);
-  bool operator==(const SurfaceChanges&) const = default;
 };
 
 /// An oriented 2-manifold, with or without boundary.
