@@ -18,6 +18,14 @@ namespace scan
 std::vector<Operation> wrapOperations();
 std::vector<Operation> analysisOperations();
 
+/// Of the operations that work on a part of the model; see vtkScanPolyDataFilter::SetRegion().
+inline Parameter regionParameter()
+{
+  return { .name = "region",
+    .defaultValue = "",
+    .help = "only there: the name of a region, or a rule such as sphere(0,0,0,5); see select" };
+}
+
 /// The value of a parameter that completeValues() has made sure is there.
 template <class T>
 const T& valueOf(const ParameterValues& values, std::string_view name)

@@ -8,8 +8,10 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -197,6 +199,41 @@ vtkSmartPointer<vtkCellArray> vertexPerPoint(std::size_t count)
   return cellsOf<1>(vertices, count);
 }
 
+/// The cells without a dropped point, by the new numbers of their points.
+/// @param first the number of the first cell among all
+/// @param kept receives the numbers of the cells that stay
+vtkSmartPointer<vtkCellArray> keptCells(
+  vtkCellArray& cells, const std::vector<vtkIdType>& numbers, vtkIdType first, vtkIdList& kept)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> renumbered;
+  vtkIdType cell = first;
+  forEachCell(cells, static_cast<vtkIdType>(numbers.size()),
+    [&](Cell corners)
+    {
+      renumbered.clear();
+      std::ranges::transform(corners, std::back_inserter(renumbered),
+        [&](vtkIdType id) { return numbers[static_cast<std::size_t>(id)]; });
+      if (std::ranges::find(renumbered, -1) == renumbered.end())
+      {
+        result->InsertNextCell(static_cast<vtkIdType>(renumbered.size()), renumbered.data());
+        kept.InsertNextId(cell);
+      }
+      ++cell;
+    });
+  return result;
+}
+
+void copyData(vtkDataSetAttributes& from, vtkIdList& ids, vtkDataSetAttributes& to)
+{
+  vtkNew<vtkIdList> places;
+  places->SetNumberOfIds(ids.GetNumberOfIds());
+  std::iota(places->begin(), places->end(), vtkIdType{ 0 });
+  to.CopyAllOn();
+  to.CopyAllocate(&from, ids.GetNumberOfIds());
+  to.CopyData(&from, &ids, places);
+}
+
 } // namespace
 
 std::vector<Vec3> pointsOf(vtkPolyData& data)
@@ -368,6 +405,46 @@ void setModel(vtkPolyData& output, const Model& model)
   {
     setUnit(output, model.millimetresPerUnit);
   }
+}
+
+void keepPoints(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output)
+{
+  output.Initialize();
+  vtkNew<vtkIdList> points;
+  std::vector<vtkIdType> numbers(isKept.size(), -1);
+  for (std::size_t i = 0; i < isKept.size(); ++i)
+  {
+    if (isKept[i] != 0)
+    {
+      numbers[i] = points->InsertNextId(static_cast<vtkIdType>(i));
+    }
+  }
+  const std::vector<Vec3> all = pointsOf(input);
+  const std::vector<vtkIdType> allIds = scanPointIdsOf(input);
+  std::vector<Vec3> positions;
+  std::vector<vtkIdType> ids;
+  for (const vtkIdType point : *points)
+  {
+    positions.push_back(all[static_cast<std::size_t>(point)]);
+    ids.push_back(allIds[static_cast<std::size_t>(point)]);
+  }
+  setPoints(output, positions);
+  copyData(*input.GetPointData(), *points, *output.GetPointData());
+  setScanPointIds(output, ids);
+
+  vtkNew<vtkIdList> cells;
+  vtkIdType first = input.GetNumberOfVerts();
+  output.SetLines(keptCells(*input.GetLines(), numbers, first, *cells));
+  first += input.GetNumberOfLines();
+  output.SetPolys(keptCells(*input.GetPolys(), numbers, first, *cells));
+  first += input.GetNumberOfPolys();
+  output.SetStrips(keptCells(*input.GetStrips(), numbers, first, *cells));
+  if (cells->GetNumberOfIds() == 0)
+  {
+    output.SetVerts(vertexPerPoint(positions.size()));
+    return;
+  }
+  copyData(*input.GetCellData(), *cells, *output.GetCellData());
 }
 
 double unitOf(vtkDataObject& data)

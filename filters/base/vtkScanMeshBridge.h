@@ -8,6 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,13 @@ Model modelOf(vtkPolyData& data);
 /// Makes `output` the model: double points, triangles as polygons, curves as lines, a vertex per
 /// point of a scan, and the arrays of vtkScanArrayNames.h for what it knows.
 void setModel(vtkPolyData& output, const Model& model);
+
+/// Makes `output` the part of `input` on the points that are kept: these points in their order with
+/// their data and scan-point ids, and the lines, polygons and strips that have no other points,
+/// with their data. Where none of these are left every point gets a vertex.
+/// @param isKept per point 0 or 1
+/// @throws Error{badInput} when a cell names a point that is not there
+void keepPoints(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output);
 
 /// The unit of the coordinates of `data` in millimetres; 0 when it has none.
 double unitOf(vtkDataObject& data);

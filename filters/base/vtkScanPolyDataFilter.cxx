@@ -14,6 +14,26 @@ vtkSmartPointer<vtkPolyData> vtkScanPolyDataFilter::NewOutput(vtkPolyData*)
   return vtkSmartPointer<vtkPolyData>::New();
 }
 
+std::vector<std::uint8_t> vtkScanPolyDataFilter::PointsInRegion(
+  vtkPolyData& input, scan::Execution&) const
+{
+  if (!this->Region.empty())
+  {
+    throw scan::Error(scan::ErrorCode::badParameter, "there is no region " + this->Region);
+  }
+  return std::vector<std::uint8_t>(static_cast<std::size_t>(input.GetNumberOfPoints()), 1);
+}
+
+std::vector<std::uint8_t> vtkScanPolyDataFilter::TrianglesInRegion(
+  vtkPolyData& input, scan::Execution&) const
+{
+  if (!this->Region.empty())
+  {
+    throw scan::Error(scan::ErrorCode::badParameter, "there is no region " + this->Region);
+  }
+  return std::vector<std::uint8_t>(scan::bridge::meshOf(input).triangles.size(), 1);
+}
+
 vtkTypeBool vtkScanPolyDataFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
