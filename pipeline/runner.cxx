@@ -92,25 +92,19 @@ vtkScanOutcome updateOnce(vtkAlgorithm& fresh, const RunOptions& options)
 StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOptions& options)
 {
   const auto start = std::chrono::steady_clock::now();
-  StepResult step;
-  try
-  {
-    if (input != nullptr)
+  StepResult step = guardedStep( // plain VTK algorithms have no guard
+    [&]
     {
-      fresh.SetInputDataObject(input);
-    }
-    step.outcome = updateOnce(fresh, options);
-    const auto* const task = dynamic_cast<vtkScanTask*>(&fresh);
-    step.note = task != nullptr ? task->GetNote() : std::string();
-  }
-  catch (const std::bad_alloc&) // plain VTK algorithms have no guard
-  {
-    step.outcome = { State::failed, ErrorCode::memory, "out of memory; allow more memory" };
-  }
-  catch (const std::exception& error)
-  {
-    step.outcome = { State::failed, ErrorCode::internal, error.what() };
-  }
+      StepResult run;
+      if (input != nullptr)
+      {
+        fresh.SetInputDataObject(input);
+      }
+      run.outcome = updateOnce(fresh, options);
+      const auto* const task = dynamic_cast<vtkScanTask*>(&fresh);
+      run.note = task != nullptr ? task->GetNote() : std::string();
+      return run;
+    });
   if (step.outcome.state == State::ok && fresh.GetNumberOfOutputPorts() > 0)
   {
     // a copy that shares the arrays, so that the filter can go
@@ -123,26 +117,47 @@ StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOpti
   return step;
 }
 
-StepResult runOperation(const Operation& operation, const ParameterValues& given,
-  vtkDataObject& input, const RunOptions& options)
+StepResult guardedStep(const std::function<StepResult()>& body)
 {
+  StepResult step;
   try
   {
-    const auto filter = operation.make(completeValues(operation, given));
-    StepResult step = runAlgorithm(*filter, &input, options);
-    if (step.outcome.state == State::ok)
-    {
-      step.results = operation.results ? operation.results(*filter) : Results();
-      step.note = operation.note ? operation.note(*filter) : step.note;
-    }
-    return step;
+    return body();
+  }
+  catch (const Cancelled&)
+  {
+    step.outcome = { State::cancelled, {}, "cancelled" };
   }
   catch (const Error& error)
   {
-    StepResult step;
     step.outcome = { State::failed, error.code(), error.what() };
-    return step;
   }
+  catch (const std::bad_alloc&)
+  {
+    step.outcome = { State::failed, ErrorCode::memory, "out of memory; allow more memory" };
+  }
+  catch (const std::exception& error)
+  {
+    step.outcome = { State::failed, ErrorCode::internal, error.what() };
+  }
+  return step;
+}
+
+StepResult runOperation(const Operation& operation, const ParameterValues& given,
+  vtkDataObject& input, const RunOptions& options)
+{
+  return guardedStep(
+    [&]
+    {
+      const auto filter = operation.make(completeValues(operation, given));
+      StepResult step = runAlgorithm(*filter, &input, options);
+      if (step.outcome.state == State::ok)
+      {
+        step.results = operation.results ? operation.results(*filter) : Results();
+        step.note = operation.note ? operation.note(*filter) : step.note;
+      }
+      return step;
+    });
 }
 
 } // namespace scan

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 class vtkAlgorithm;
@@ -39,6 +40,9 @@ struct StepResult
 /// Runs a fresh algorithm once: a reader (input null), a filter, or a writer. The algorithm must
 /// not be used again. Errors of plain VTK algorithms are caught from their ErrorEvent.
 StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOptions& options);
+
+/// What the body returns; what it throws becomes the outcome of a step without a result.
+StepResult guardedStep(const std::function<StepResult()>& body);
 
 /// Runs an operation of the table on a fresh filter.
 /// @param given parameters that differ from their defaults

@@ -7,6 +7,8 @@
 #include "filters/geometry/hilbert_order.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -231,6 +233,57 @@ DelaunayComplex buildDelaunayComplex(std::span<const Vec3> input, Execution& exe
   copyCells(*cells, complex, execution);
   execution.step("triangulate", 1, 1);
   return complex;
+}
+
+bool isWhole(const DelaunayComplex& complex, Execution& execution)
+{
+  const std::size_t tets = complex.tetrahedra.size();
+  const auto points = static_cast<Index>(complex.points.size());
+  if (complex.mirror.size() != tets || complex.scanPoint.size() != complex.points.size() ||
+    tets > kNone / 4 || complex.points.size() >= kNone)
+  {
+    return false;
+  }
+  const auto sortedVertices = [&](Facet facet)
+  {
+    Triangle vertices = complex.facetVertices(facet);
+    std::ranges::sort(vertices);
+    return vertices;
+  };
+  const auto fits = [&](Facet facet)
+  {
+    const Facet other = complex.mirror[facet / 4][facet % 4];
+    return other == kNone ||
+      (other < 4 * tets && other / 4 != facet / 4 &&
+        complex.mirror[other / 4][other % 4] == facet &&
+        sortedVertices(other) == sortedVertices(facet));
+  };
+  std::atomic<bool> isWhole = std::ranges::all_of(complex.points,
+    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+  const auto forEachTet = [&](const auto& holds)
+  {
+    execution.parallelFor(tets, kGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t tet = begin; tet < end; ++tet)
+        {
+          if (!holds(static_cast<Index>(tet)))
+          {
+            isWhole = false;
+          }
+        }
+      });
+    return isWhole.load();
+  };
+  return forEachTet(
+           [&](Index tet)
+           {
+             std::array<Index, 4> v = complex.tetrahedra[tet];
+             std::ranges::sort(v);
+             return v[0] < v[1] && v[1] < v[2] && v[2] < v[3] && v[3] < points;
+           }) &&
+    forEachTet([&](Index tet)
+      { return fits(4 * tet) && fits(4 * tet + 1) && fits(4 * tet + 2) && fits(4 * tet + 3); });
 }
 
 } // namespace scan

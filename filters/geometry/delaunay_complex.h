@@ -130,4 +130,8 @@ public:
 /// Follows delaunay_insertion.h and delaunay_worker.h, where the papers are.
 DelaunayComplex buildDelaunayComplex(std::span<const Vec3> points, Execution& execution);
 
+/// Whether all numbers in a complex that comes from a file fit together: vertices and facets exist,
+/// and every facet and its mirror name each other and have the same vertices.
+bool isWhole(const DelaunayComplex& complex, Execution& execution);
+
 } // namespace scan

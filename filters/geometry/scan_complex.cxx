@@ -2,13 +2,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/scan_complex.h"
 
+#include "filters/base/error.h"
 #include "filters/geometry/representatives.h"
+
+#include <utility>
 
 namespace scan
 {
 
+namespace
+{
+
+DelaunayComplex whole(DelaunayComplex complex, Execution& execution)
+{
+  if (!isWhole(complex, execution))
+  {
+    throw Error(ErrorCode::badInput, "the complex is damaged; wrap the points again");
+  }
+  return complex;
+}
+
+} // namespace
+
 ScanComplex::ScanComplex(std::span<const Vec3> points, Execution& execution)
   : Delaunay(buildDelaunayComplex(points, execution))
+  , Flow(Delaunay, execution)
+  , TheBasins(findBasins(Flow, execution))
+{
+}
+
+ScanComplex::ScanComplex(DelaunayComplex complex, Execution& execution)
+  : Delaunay(whole(std::move(complex), execution))
   , Flow(Delaunay, execution)
   , TheBasins(findBasins(Flow, execution))
 {

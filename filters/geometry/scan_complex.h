@@ -24,6 +24,10 @@ public:
   /// @throws as buildDelaunayComplex. Reports phases "triangulate", "classify", "basins".
   ScanComplex(std::span<const Vec3> points, Execution& execution);
 
+  /// From a complex that was built before. Reports phases "classify", "basins".
+  /// @throws Error badInput when it is not whole, see isWhole()
+  ScanComplex(DelaunayComplex complex, Execution& execution);
+
   ScanComplex(const ScanComplex&) = delete;
   void operator=(const ScanComplex&) = delete;
 

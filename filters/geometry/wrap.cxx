@@ -237,6 +237,7 @@ WrapResult surfaceFrom(
   result.report.pointsRead = static_cast<Index>(complex.points.size()) + complex.duplicates;
   result.report.tetrahedra = complex.tetCount();
   execution.step("surface", 3, 4);
+  result.isSplit = manifold;
   if (manifold)
   {
     makeManifold(result, execution);

@@ -63,6 +63,7 @@ struct WrapResult
   std::vector<Facet> facets;       ///< per triangle: its facet; at a boundary seen from the solid
   std::vector<Index> scanPointIds; ///< per surface point: index of its scan point in the input
   std::vector<Segment> lines;      ///< kept edges without a kept triangle (classic mode)
+  bool isSplit = false;            ///< into sheets that are manifold
   WrapReport report;
 };
 

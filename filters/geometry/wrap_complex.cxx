@@ -2,14 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/wrap_complex.h"
 
+#include "filters/base/error.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/interval_fates.h"
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace scan
 {
+
+WrapComplex::WrapComplex(const FlowComplex& flow, std::vector<std::uint8_t> bytes, bool followsFlow)
+  : Flow(&flow)
+  , FollowsFlow(followsFlow)
+  , State(std::move(bytes))
+{
+  constexpr std::uint8_t kHighest = 2 * kTet - 1;
+  if (this->State.size() != flow.delaunay().tetCount() ||
+    std::ranges::any_of(this->State, [](std::uint8_t state) { return state > kHighest; }))
+  {
+    throw Error(ErrorCode::badInput, "the state of the wrap is damaged; wrap the points again");
+  }
+}
 
 WrapComplex collapseFromOutside(const FlowComplex& flow, Execution& execution)
 {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scan
@@ -24,6 +25,13 @@ public:
     , State(flow.delaunay().tetCount(), 0)
   {
   }
+
+  /// The state that has these bytes.
+  /// @throws Error badInput when they cannot be a state of the complex
+  WrapComplex(const FlowComplex& flow, std::vector<std::uint8_t> bytes, bool followsFlow);
+
+  /// What is kept, a byte a tetrahedron.
+  std::span<const std::uint8_t> bytes() const { return this->State; }
 
   const FlowComplex& flow() const { return *this->Flow; }
 

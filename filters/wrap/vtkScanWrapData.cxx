@@ -16,6 +16,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 vtkStandardNewMacro(vtkScanWrapData);
@@ -49,10 +51,21 @@ void vtkScanWrapData::SetWrap(
   this->Model = std::move(result.model);
   this->Facets = std::make_shared<const std::vector<scan::Facet>>(std::move(result.facets));
   this->InputIds = std::move(inputIds);
-  if (withBlocks && this->Model.scan)
+  this->Split = result.isSplit;
+  this->Blocks = withBlocks && this->Model.scan;
+  if (this->Blocks)
   {
     this->AddBlockArrays(static_cast<vtkIdType>(result.lines.size()), execution);
   }
+}
+
+void vtkScanWrapData::SetModel(const scan::WrapModel& model, PointIds inputIds, bool isSplit,
+  bool withBlocks, const scan::WrapReport& kept, scan::Execution& execution)
+{
+  scan::WrapResult result = scan::surfaceOf(model, isSplit, execution);
+  result.report.isOpen = kept.isOpen;
+  result.report.openingTriangles = kept.openingTriangles;
+  this->SetWrap(std::move(result), std::move(inputIds), withBlocks, execution);
 }
 
 void vtkScanWrapData::AddBlockArrays(vtkIdType lines, scan::Execution& execution)
@@ -102,6 +115,14 @@ void vtkScanWrapData::AddBlockArrays(vtkIdType lines, scan::Execution& execution
   this->GetFieldData()->AddArray(removed);
 }
 
+bool vtkScanWrapData::IsOwnArray(const std::string& name)
+{
+  using namespace scan::arrays;
+  constexpr std::array kOwn{ kScanPointId, kBlock, kBlockSize, kBlockPersistence, kBlockSizes,
+    kBlockPersistences, kBlockRemoved };
+  return std::ranges::find(kOwn, name) != kOwn.end();
+}
+
 vtkScanWrapData& vtkScanWrapData::Of(vtkDataObject& data)
 {
   auto* const wrap = vtkScanWrapData::SafeDownCast(&data);
@@ -120,6 +141,8 @@ void vtkScanWrapData::Initialize()
   this->Facets = std::make_shared<const std::vector<scan::Facet>>();
   this->InputIds = nullptr;
   this->Report = {};
+  this->Split = false;
+  this->Blocks = false;
 }
 
 void vtkScanWrapData::ShallowCopy(vtkDataObject* source)
@@ -142,5 +165,7 @@ void vtkScanWrapData::CopyModel(vtkDataObject* source)
     this->Facets = wrap->Facets;
     this->InputIds = wrap->InputIds;
     this->Report = wrap->Report;
+    this->Split = wrap->Split;
+    this->Blocks = wrap->Blocks;
   }
 }

@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 /// The surface of a wrap together with the complex it was cut from, so that it can be edited:
@@ -39,10 +40,22 @@ public:
   /// The model; without a complex when SetWrap() was never called.
   const scan::WrapModel& GetModel() const { return this->Model; }
 
+  /// Makes this the surface of a model that was kept, the same bytes as when it was made.
+  /// @param kept what the report of the wrap said, of which isOpen and openingTriangles are used
+  /// @param isSplit, withBlocks as IsSplit() and HasBlocks() were
+  void SetModel(const scan::WrapModel& model, PointIds inputIds, bool isSplit, bool withBlocks,
+    const scan::WrapReport& kept, scan::Execution& execution);
+
+  bool IsSplit() const { return this->Split; }    ///< what is no manifold was split into sheets
+  bool HasBlocks() const { return this->Blocks; } ///< the arrays of blocks are there
+
   /// Per triangle its facet in the complex.
   const std::vector<scan::Facet>& GetFacets() const { return *this->Facets; }
   const scan::WrapReport& GetReport() const { return this->Report; }
   const PointIds& GetInputIds() const { return this->InputIds; }
+
+  /// Whether an array of that name comes with the surface, and need not be kept beside the model.
+  static bool IsOwnArray(const std::string& name);
 
   /// The wrap behind a data set that may be something else.
   /// @throws scan::Error when it is no wrap
@@ -65,4 +78,6 @@ private:
     std::make_shared<const std::vector<scan::Facet>>();
   PointIds InputIds;
   scan::WrapReport Report;
+  bool Split = false;
+  bool Blocks = false;
 };

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/import.h"
+
+#include "filters/base/error.h"
+#include "filters/base/unit.h"
+#include "pipeline/hash.h"
+#include "pipeline/operation_rows.h"
+#include "pipeline/time_text.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+namespace scan
+{
+
+namespace
+{
+
+using State = vtkScanOutcome::State;
+
+/// What --unit takes.
+std::vector<std::string> unitChoices()
+{
+  std::vector<std::string> choices = { "file" };
+  std::ranges::transform(
+    kUnits, std::back_inserter(choices), [](const Unit& unit) { return std::string(unit.symbol); });
+  return choices;
+}
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();)
+  {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+void addCounts(StepResult& step)
+{
+  if (auto* const model = vtkPolyData::SafeDownCast(step.output))
+  {
+    step.results.emplace_back("output-points", std::int64_t{ model->GetNumberOfPoints() });
+    step.results.emplace_back("output-triangles", std::int64_t{ model->GetNumberOfPolys() });
+  }
+}
+
+} // namespace
+
+const std::vector<Parameter>& readParameters()
+{
+  static const std::vector<Parameter> kParameters{
+    { .name = "as",
+      .defaultValue = "auto",
+      .help = "what to take from the input files: what they hold, points only, or meshes only",
+      .choices = { "auto", "points", "mesh" } },
+    { .name = "unit",
+      .defaultValue = "file",
+      .help = "of input files that do not tell theirs; file for what they tell, or none",
+      .choices = unitChoices() },
+    { .name = "tolerance",
+      .defaultValue = ReadOptions().tolerance,
+      .help = "distance of the triangles of STEP and IGES files from their surfaces; % of the size",
+      .minimum = 0 },
+    { .name = "transforms",
+      .defaultValue = "",
+      .help = "a list that places the input files: a name and 16, 12 or 7 numbers for each" },
+  };
+  return kParameters;
+}
+
+const std::vector<Parameter>& openParameters()
+{
+  static const std::vector<Parameter> kParameters = []
+  {
+    std::vector<Parameter> parameters = readParameters();
+    parameters.push_back({ .name = "files", .defaultValue = "", .help = "the files, one a line" });
+    return parameters;
+  }();
+  return kParameters;
+}
+
+std::string filesText(const std::vector<std::string>& paths)
+{
+  std::string text;
+  for (const std::string& path : paths)
+  {
+    if (path.find('\n') != std::string::npos)
+    {
+      throw Error(ErrorCode::badParameter, path + ": the name has a line end; rename the file");
+    }
+    text += (text.empty() ? "" : "\n") + path;
+  }
+  return text;
+}
+
+Import::Import(const ParameterValues& values, const CancelToken& token)
+  : Paths(linesOf(valueOf<std::string>(values, "files")))
+{
+  const auto as = valueOf<std::string>(values, "as");
+  this->Reading.as = as == "points" ? ReadAs::points
+    : as == "mesh"                  ? ReadAs::mesh
+                                    : ReadAs::automatic;
+  this->Reading.tolerance = valueOf<Length>(values, "tolerance");
+  checkReadOptions(this->Reading);
+  const auto symbol = valueOf<std::string>(values, "unit");
+  const auto* const unit = std::ranges::find(kUnits, symbol, &Unit::symbol);
+  this->Unit = unit != kUnits.end() ? unit->millimetres : 0.0;
+  if (std::ranges::count(this->Paths, "-") > 1)
+  {
+    throw Error(ErrorCode::badParameter, "standard input can be read only once");
+  }
+  const auto transforms = valueOf<std::string>(values, "transforms");
+  if (!transforms.empty())
+  {
+    this->Transforms.emplace(transforms);
+  }
+  for (const std::string& path : this->Paths)
+  {
+    if (this->Transforms)
+    {
+      this->Transforms->placeOf(path);
+    }
+    this->Formats.push_back(&formatToRead(path, token));
+  }
+}
+
+StepResult Import::read(std::size_t file, const RunOptions& options) const
+{
+  const std::string& path = this->Paths[file];
+  const auto reader = this->Formats[file]->makeReader(path, this->Reading);
+  StepResult step = runAlgorithm(*reader, nullptr, options);
+  auto* const data = vtkPolyData::SafeDownCast(step.output);
+  if (data == nullptr)
+  {
+    return step;
+  }
+  InputModel model{ data, path, {} };
+  if (this->Unit > 0.0)
+  {
+    model = withUnit(std::move(model), this->Unit);
+  }
+  if (this->Transforms)
+  {
+    model = placed(std::move(model), this->Transforms->placeOf(path));
+  }
+  step.output = model.data;
+  step.note += (step.note.empty() || model.note.empty() ? "" : "; ") + model.note;
+  addCounts(step);
+  return step;
+}
+
+StepResult Import::run(const RunOptions& options, const Listener& listener) const
+{
+  std::vector<InputModel> parts;
+  StepResult all;
+  for (std::size_t i = 0; i < this->Paths.size(); ++i)
+  {
+    StepResult step = guardedStep([&] { return this->read(i, options); });
+    if (listener)
+    {
+      listener(this->Paths[i], step);
+    }
+    all.seconds += step.seconds;
+    all.peakBytes = step.peakBytes;
+    if (step.outcome.state != State::ok)
+    {
+      all.outcome = step.outcome;
+      return all;
+    }
+    if (!step.note.empty())
+    {
+      all.note += (all.note.empty() ? "" : "; ") + this->Paths[i] + ": " + step.note;
+    }
+    parts.push_back({ vtkPolyData::SafeDownCast(step.output), this->Paths[i], {} });
+  }
+  StepResult merging = guardedStep(
+    [&]
+    {
+      StepResult step;
+      const InputModel merged = mergeModels(parts);
+      step.output = merged.data;
+      step.note = merged.note;
+      return step;
+    });
+  merging.seconds = all.seconds;
+  merging.peakBytes = all.peakBytes;
+  merging.note = all.note + (all.note.empty() || merging.note.empty() ? "" : "; ") + merging.note;
+  addCounts(merging);
+  return merging;
+}
+
+std::vector<ReadFile> Import::describe() const
+{
+  namespace fs = std::filesystem;
+  std::vector<ReadFile> files;
+  for (std::size_t i = 0; i < this->Paths.size(); ++i)
+  {
+    ReadFile file{ .path = this->Paths[i], .format = this->Formats[i]->name };
+    if (file.path != "-")
+    {
+      std::error_code ignored;
+      file.place = fs::absolute(file.path, ignored).string();
+      file.bytes = static_cast<std::int64_t>(fs::file_size(file.path, ignored));
+      file.modified = timeTextOfFile(file.path);
+      file.hash = textOf(hashOfFile(file.path));
+    }
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+} // namespace scan

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "pipeline/format_registry.h"
+#include "pipeline/input_models.h"
+#include "pipeline/parameter.h"
+#include "pipeline/runner.h"
+#include "pipeline/step.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scan
+{
+
+/// How files are opened: "as", "unit", "tolerance", "transforms".
+const std::vector<Parameter>& readParameters();
+
+/// The parameters of the step "open": these, and "files", a path a line.
+const std::vector<Parameter>& openParameters();
+
+/// The value of "files".
+std::string filesText(const std::vector<std::string>& paths);
+
+/// Files that become one model.
+class Import
+{
+public:
+  /// Told of each file after it was read, well or not.
+  using Listener = std::function<void(const std::string& path, const StepResult& step)>;
+
+  /// Checks all that can be refused without reading a model.
+  /// @param values of openParameters()
+  /// @throws Error, Cancelled as checkReadOptions(), TransformList and formatToRead()
+  Import(const ParameterValues& values, const CancelToken& token);
+
+  const std::vector<std::string>& paths() const { return this->Paths; }
+  const Format& format(std::size_t file) const { return *this->Formats[file]; }
+
+  /// Reads the files and makes one model of them: gives it the unit, puts them in their places.
+  /// @param listener may be null
+  StepResult run(const RunOptions& options, const Listener& listener) const;
+
+  /// What the files are now, with the hashes of their contents; standard input has none.
+  /// @throws Error io
+  std::vector<ReadFile> describe() const;
+
+private:
+  StepResult read(std::size_t file, const RunOptions& options) const;
+
+  std::vector<std::string> Paths;
+  std::vector<const Format*> Formats;
+  ReadOptions Reading;
+  double Unit = 0.0; ///< of files that do not tell theirs, in millimetres; 0: none
+  std::optional<TransformList> Transforms;
+};
+
+} // namespace scan
