@@ -146,7 +146,7 @@ void Statement::bind(int place, std::nullopt_t)
 Database::Database(std::string file, Access access)
   : File(std::move(file))
 {
-  const int flags = (access == Access::readOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE) |
+  const int flags = (access == Access::readWrite ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY) |
     SQLITE_OPEN_NOMUTEX;
   // ./ : a name is never taken for a URI or for the options ":memory:" and ""
   const std::string path = this->File.starts_with('/') ? this->File : "./" + this->File;
@@ -159,7 +159,10 @@ Database::Database(std::string file, Access access)
   sqlite3_extended_result_codes(this->Handle, 1);
   sqlite3_busy_timeout(this->Handle, kPatience);
   // a file from elsewhere may hold anything
-  sqlite3_db_config(this->Handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  const int isWhole = access == Access::damaged ? 0 : 1;
+  sqlite3_db_config(this->Handle, SQLITE_DBCONFIG_DEFENSIVE, isWhole, nullptr);
+  // without it SQLite reads nothing of a truncated file
+  sqlite3_db_config(this->Handle, SQLITE_DBCONFIG_WRITABLE_SCHEMA, 1 - isWhole, nullptr);
   sqlite3_db_config(this->Handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(this->Handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
 }

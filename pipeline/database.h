@@ -76,7 +76,8 @@ public:
   enum class Access
   {
     readOnly,
-    readWrite
+    readWrite,
+    damaged ///< to read what can be read of a file that is shorter than it says, for example
   };
 
   /// The file must exist.

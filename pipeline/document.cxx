@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace scan
@@ -50,6 +52,26 @@ std::int64_t bytesOf(vtkPolyData& result, std::set<const char*>& counted)
     }
   }
   return bytes;
+}
+
+/// Where the files are now: under the paths that they were given by, or where these led to then.
+TextList locate(const std::vector<ReadFile>& files)
+{
+  TextList paths;
+  for (const ReadFile& file : files)
+  {
+    if (file.path == "-")
+    {
+      throw Error(ErrorCode::badInput, "standard input cannot be read again");
+    }
+    std::error_code ignored;
+    paths.push_back(std::filesystem::exists(file.path, ignored) ? file.path : file.place);
+    if (textOf(hashOfFile(paths.back())) != file.hash)
+    {
+      throw Error(ErrorCode::badInput, paths.back() + ": has changed since it was opened");
+    }
+  }
+  return paths;
 }
 
 std::optional<StepId> numberIn(const std::string& text)
@@ -111,6 +133,7 @@ Document::Document(std::int64_t memoryBudget)
 
 Document::~Document() = default;
 Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(Document&&) noexcept = default;
 
 Document Document::open(const std::string& project, std::int64_t memoryBudget)
 {
@@ -129,6 +152,13 @@ Document Document::create(const std::string& project, std::int64_t memoryBudget)
 {
   Document document(memoryBudget);
   document.NewFile = project;
+  return document;
+}
+
+Document Document::withoutHashes()
+{
+  Document document;
+  document.HasHashes = false;
   return document;
 }
 
@@ -281,17 +311,16 @@ StepResult Document::runOn(StepId parent, const std::string& verb, const Paramet
 
 StepResult Document::rerun(const Step& step, const RunOptions& options)
 {
-  for (const ReadFile& file : step.files)
-  {
-    if (file.path != "-" && !file.hash.empty() && textOf(hashOfFile(file.path)) != file.hash)
+  return guardedStep(
+    [&]
     {
-      StepResult changed;
-      changed.outcome = { State::failed, ErrorCode::badInput,
-        file.path + ": has changed since it was opened" };
-      return changed;
-    }
-  }
-  return this->runOn(step.parent, step.verb, step.parameters, options);
+      ParameterTexts parameters = step.parameters;
+      if (!step.files.empty())
+      {
+        parameters["files"] = textOf(locate(step.files));
+      }
+      return this->runOn(step.parent, step.verb, parameters, options);
+    });
 }
 
 void Document::keep(StepId parent, const std::string& verb, const ParameterValues& values,
@@ -324,7 +353,7 @@ void Document::keep(StepId parent, const std::string& verb, const ParameterValue
   {
     step.id = this->Last + 1;
     step.inputHash = parent != 0 ? this->step(parent).resultHash : std::string();
-    step.resultHash = hashesOf(formOf(*model), execution).form;
+    step.resultHash = this->HasHashes ? hashesOf(formOf(*model), execution).form : std::string();
   }
   this->Last = std::max(this->Last, step.id);
   this->Current = step.id;
@@ -342,8 +371,8 @@ StepResult Document::import(
       StepResult result = files.run(options, listener);
       if (result.outcome.state == State::ok)
       {
-        this->keep(0, kOpen, completeValues(openParameters(), values, kOpen), files.describe(),
-          result, options);
+        this->keep(0, kOpen, completeValues(openParameters(), values, kOpen),
+          this->HasHashes ? files.describe() : std::vector<ReadFile>(), result, options);
       }
       return result;
     });
@@ -356,9 +385,14 @@ StepResult Document::apply(
     [&]
     {
       const ParameterValues values = completeValues(operation, given);
+      const bool isStep = !onlyLooks(operation, values);
+      if (isStep && this->File)
+      {
+        this->File->checkWritable();
+      }
       const vtkSmartPointer<vtkPolyData> input = this->result(this->Current, options);
       StepResult result = runOperation(operation, values, *input, options);
-      if (result.outcome.state == State::ok && !onlyLooks(operation, values))
+      if (isStep && result.outcome.state == State::ok)
       {
         this->keep(this->Current, operation.verb, values, {}, result, options);
       }

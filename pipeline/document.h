@@ -51,8 +51,7 @@ public:
   explicit Document(std::int64_t memoryBudget = 0);
   ~Document();
   Document(Document&&) noexcept;
-  Document(const Document&) = delete;
-  void operator=(const Document&) = delete;
+  Document& operator=(Document&&) noexcept;
 
   /// Goes on with a project, where it was left.
   static Document open(const std::string& project, std::int64_t memoryBudget = 0);
@@ -60,6 +59,9 @@ public:
   /// A new project, which takes its name, and the place of what had it, when its first step is
   /// done.
   static Document create(const std::string& project, std::int64_t memoryBudget = 0);
+
+  /// In memory only, for one run: steps have no hashes, which take time.
+  static Document withoutHashes();
 
   /// The file; null in memory, and in a new project without steps.
   const ProjectFile* project() const { return this->File.get(); }
@@ -130,6 +132,7 @@ private:
   void trim();
 
   std::unique_ptr<ProjectFile> File;
+  bool HasHashes = true;
   std::string NewFile; ///< of a project to be
   std::vector<Step> Steps;
   StepId Current = 0;

@@ -33,27 +33,6 @@ std::vector<std::string> unitChoices()
   return choices;
 }
 
-std::vector<std::string> linesOf(const std::string& text)
-{
-  std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < text.size();)
-  {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return lines;
-}
-
-void addCounts(StepResult& step)
-{
-  if (auto* const model = vtkPolyData::SafeDownCast(step.output))
-  {
-    step.results.emplace_back("output-points", std::int64_t{ model->GetNumberOfPoints() });
-    step.results.emplace_back("output-triangles", std::int64_t{ model->GetNumberOfPolys() });
-  }
-}
-
 } // namespace
 
 const std::vector<Parameter>& readParameters()
@@ -83,28 +62,14 @@ const std::vector<Parameter>& openParameters()
   static const std::vector<Parameter> kParameters = []
   {
     std::vector<Parameter> parameters = readParameters();
-    parameters.push_back({ .name = "files", .defaultValue = "", .help = "the files, one a line" });
+    parameters.push_back({ .name = "files", .defaultValue = TextList(), .help = "the files" });
     return parameters;
   }();
   return kParameters;
 }
 
-std::string filesText(const std::vector<std::string>& paths)
-{
-  std::string text;
-  for (const std::string& path : paths)
-  {
-    if (path.find('\n') != std::string::npos)
-    {
-      throw Error(ErrorCode::badParameter, path + ": the name has a line end; rename the file");
-    }
-    text += (text.empty() ? "" : "\n") + path;
-  }
-  return text;
-}
-
 Import::Import(const ParameterValues& values, const CancelToken& token)
-  : Paths(linesOf(valueOf<std::string>(values, "files")))
+  : Paths(valueOf<TextList>(values, "files"))
 {
   const auto as = valueOf<std::string>(values, "as");
   this->Reading.as = as == "points" ? ReadAs::points
@@ -126,6 +91,10 @@ Import::Import(const ParameterValues& values, const CancelToken& token)
   }
   for (const std::string& path : this->Paths)
   {
+    if (path.find('\n') != std::string::npos)
+    {
+      throw Error(ErrorCode::badParameter, path + ": the name has a line end; rename the file");
+    }
     if (this->Transforms)
     {
       this->Transforms->placeOf(path);
@@ -179,7 +148,7 @@ StepResult Import::run(const RunOptions& options, const Listener& listener) cons
     }
     if (!step.note.empty())
     {
-      all.note += (all.note.empty() ? "" : "; ") + this->Paths[i] + ": " + step.note;
+      all.note.append(all.note.empty() ? "" : "; ").append(this->Paths[i] + ": " + step.note);
     }
     parts.push_back({ vtkPolyData::SafeDownCast(step.output), this->Paths[i], {} });
   }
@@ -192,6 +161,10 @@ StepResult Import::run(const RunOptions& options, const Listener& listener) cons
       step.note = merged.note;
       return step;
     });
+  if (listener && parts.size() > 1)
+  {
+    listener({}, merging);
+  }
   merging.seconds = all.seconds;
   merging.peakBytes = all.peakBytes;
   merging.note = all.note + (all.note.empty() || merging.note.empty() ? "" : "; ") + merging.note;
@@ -205,7 +178,9 @@ std::vector<ReadFile> Import::describe() const
   std::vector<ReadFile> files;
   for (std::size_t i = 0; i < this->Paths.size(); ++i)
   {
-    ReadFile file{ .path = this->Paths[i], .format = this->Formats[i]->name };
+    ReadFile file;
+    file.path = this->Paths[i];
+    file.format = this->Formats[i]->name;
     if (file.path != "-")
     {
       std::error_code ignored;

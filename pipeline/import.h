@@ -19,17 +19,15 @@ namespace scan
 /// How files are opened: "as", "unit", "tolerance", "transforms".
 const std::vector<Parameter>& readParameters();
 
-/// The parameters of the step "open": these, and "files", a path a line.
+/// The parameters of the step "open": these, and "files", a TextList.
 const std::vector<Parameter>& openParameters();
-
-/// The value of "files".
-std::string filesText(const std::vector<std::string>& paths);
 
 /// Files that become one model.
 class Import
 {
 public:
-  /// Told of each file after it was read, well or not.
+  /// Told of each file after it was read, well or not; at last, without a path, of what several
+  /// files became.
   using Listener = std::function<void(const std::string& path, const StepResult& step)>;
 
   /// Checks all that can be refused without reading a model.

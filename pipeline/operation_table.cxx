@@ -13,8 +13,8 @@ namespace scan
 
 std::string_view nameOf(Stage stage)
 {
-  static constexpr std::array<std::string_view, 6> kNames{ "input", "points", "wrap", "surface",
-    "analysis", "output" };
+  static constexpr std::array<std::string_view, 7> kNames{ "history", "input", "points", "wrap",
+    "surface", "analysis", "output" };
   return kNames.at(static_cast<std::size_t>(stage));
 }
 

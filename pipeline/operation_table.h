@@ -20,6 +20,7 @@ namespace scan
 /// The part of the work that an operation belongs to.
 enum class Stage
 {
+  history, ///< the steps themselves
   input,
   points,
   wrap,

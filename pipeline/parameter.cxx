@@ -55,6 +55,18 @@ std::optional<std::vector<Number>> parseNumbers(std::string_view text, char sepa
   }
 }
 
+TextList linesOf(std::string_view text)
+{
+  TextList lines;
+  while (!text.empty())
+  {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
 std::optional<PointList> parsePoints(std::string_view text)
 {
   PointList points;
@@ -136,6 +148,7 @@ struct IsInRange
       [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
   }
   bool operator()(const IdList&) const { return true; }
+  bool operator()(const TextList&) const { return true; }
   bool operator()(const std::string& value) const
   {
     const std::vector<std::string>& choices = this->parameter.choices;
@@ -177,6 +190,7 @@ struct Parse
   {
     return parseNumbers<std::int64_t>(this->text, ',');
   }
+  std::optional<ParameterValue> operator()(const TextList&) const { return linesOf(this->text); }
 };
 
 struct RangeText
@@ -196,6 +210,7 @@ struct RangeText
   }
   std::string operator()(const PointList&) const { return "x,y,z or more points, x,y,z;x,y,z"; }
   std::string operator()(const IdList&) const { return "a whole number or more, 1,2,3"; }
+  std::string operator()(const TextList&) const { return "a text; may be given more than once"; }
 };
 
 struct Text
@@ -221,6 +236,15 @@ struct Text
     for (const std::int64_t id : ids)
     {
       text += (text.empty() ? "" : ",") + numberText(id);
+    }
+    return text;
+  }
+  std::string operator()(const TextList& texts) const
+  {
+    std::string text;
+    for (const std::string& line : texts)
+    {
+      text += (&line == &texts.front() ? "" : "\n") + line;
     }
     return text;
   }
@@ -288,7 +312,8 @@ bool appendValue(ParameterValue& list, const ParameterValue& more)
     to->insert(to->end(), from->begin(), from->end());
     return true;
   };
-  return append(std::get_if<PointList>(&list)) || append(std::get_if<IdList>(&list));
+  return append(std::get_if<PointList>(&list)) || append(std::get_if<IdList>(&list)) ||
+    append(std::get_if<TextList>(&list));
 }
 
 std::string textOf(const ParameterValue& value)

@@ -22,10 +22,13 @@ using PointList = std::vector<Vec3>;
 /// Numbers of triangles or the like; written with a comma between two.
 using IdList = std::vector<std::int64_t>;
 
+/// Texts that are given one by one; written with a line end between two.
+using TextList = std::vector<std::string>;
+
 /// The type of a parameter is the alternative that its default holds; a choice is a text with a
 /// list of choices.
 using ParameterValue =
-  std::variant<bool, std::int64_t, double, Length, std::string, PointList, IdList>;
+  std::variant<bool, std::int64_t, double, Length, std::string, PointList, IdList, TextList>;
 
 /// One setting of an operation, as the command line, a dialog and a template see it.
 struct Parameter

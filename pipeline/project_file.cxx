@@ -219,19 +219,20 @@ void ProjectFile::create(const std::string& path)
   file.commit();
 }
 
-void ProjectFile::copy(const ProjectFile& from, const std::string& path)
+void ProjectFile::copy(const std::string& from, const std::string& path)
 {
   // nobody writes while a transaction reads
-  Database source(from.path(), Database::Access::readOnly);
-  source.execute("BEGIN");
-  source.prepare("SELECT count(*) FROM project").next();
+  Database source(from, Database::Access::readOnly);
+  source.execute("BEGIN; SELECT count(*) FROM project");
+  const MappedFile bytes(from);
   OutputFile file(path);
-  {
-    const MappedFile bytes(from.path());
-    file.write({ bytes.bytes().data(), bytes.bytes().size() });
-  }
+  file.write({ bytes.bytes().data(), bytes.bytes().size() });
   file.commit();
-  source.execute("COMMIT");
+}
+
+bool isProjectName(const std::string& path)
+{
+  return path.ends_with(".wrp") || path.ends_with(".WRP");
 }
 
 ProjectFile::ProjectFile(const std::string& path)
@@ -652,6 +653,172 @@ std::vector<StepId> ProjectFile::findDamage(Execution& execution) const
     damaged.push_back(rows.integer(0));
   }
   return damaged;
+}
+
+/// What can be read of a damaged project.
+class Salvager
+{
+public:
+  Salvager(const std::string& damaged, const std::string& path, Execution& execution)
+    : Source(damaged, ProjectFile::Salvage{})
+    , Path(path)
+    , Run(execution)
+  {
+  }
+
+  SalvageReport save()
+  {
+    this->Run.plan({ { "salvage", 1.0 } });
+    const StepId last = this->lastStep();
+    for (StepId id = 1; id <= last; ++id)
+    {
+      this->Run.step("salvage", static_cast<std::size_t>(id), static_cast<std::size_t>(last) + 1);
+      if (std::optional<Step> step = this->readStep(id))
+      {
+        this->saveStep(std::move(*step));
+      }
+    }
+    if (!this->Target)
+    {
+      throw Error(
+        ErrorCode::parse, this->Source.path() + ": no step can be read, so nothing can be saved");
+    }
+    this->finish();
+    return this->Report;
+  }
+
+private:
+  /// The highest number a step may have.
+  StepId lastStep()
+  {
+    for (const char* const sql :
+      { "SELECT seq FROM sqlite_sequence WHERE name = 'step'", "SELECT max(id) FROM step" })
+    {
+      try
+      {
+        Statement row = this->Source.Data.prepare(sql);
+        if (row.next() && !row.isNull(0))
+        {
+          return std::clamp<StepId>(row.integer(0), 0, kMostSteps);
+        }
+      }
+      catch (const Error&)
+      {
+        continue; // the other way
+      }
+    }
+    return kMostSteps;
+  }
+
+  std::optional<Step> readStep(StepId id)
+  {
+    try
+    {
+      Statement row = this->Source.Data.prepare(
+        std::string("SELECT ") + kStepColumns + " FROM step WHERE id = ?");
+      row.with(id);
+      if (!row.next())
+      {
+        return std::nullopt; // deleted by the user, or its page holds something else
+      }
+      std::optional<Step> step = stepIn(this->Source.Data, row);
+      this->Report.lost += step ? 0 : 1;
+      return step;
+    }
+    catch (const Error&)
+    {
+      ++this->Report.lost;
+      return std::nullopt;
+    }
+  }
+
+  void saveStep(Step step)
+  {
+    if (!this->Target)
+    {
+      ProjectFile::create(this->Path);
+      this->Target.emplace(this->Path);
+    }
+    vtkSmartPointer<vtkPolyData> result;
+    try
+    {
+      result = this->Source.readResult(step.id, this->Complexes, this->Run);
+    }
+    catch (const Error&)
+    {
+      this->Report.withoutResult.push_back(step.id);
+    }
+    if (step.parent != 0 && !this->Saved.contains(step.parent))
+    {
+      step.note += std::string(step.note.empty() ? "" : "; ") + "step " +
+        std::to_string(step.parent) + " before it was lost";
+      step.parent = 0;
+    }
+    Transaction transaction(this->Target->Data);
+    std::string hash;
+    this->Target->insertStep(
+      step, result ? this->Target->storeForm(formOf(*result), hash, this->Run) : 0);
+    transaction.commit();
+    this->Saved.insert(step.id);
+    ++this->Report.steps;
+    this->Report.results += result ? 1 : 0;
+  }
+
+  void finish()
+  {
+    StepId current = 0;
+    try
+    {
+      current = this->Source.current();
+      for (const auto& [name, text] : this->Source.templates())
+      {
+        this->Target->setTemplate(name, text);
+      }
+    }
+    catch (const Error&)
+    {
+      ++this->Report.lost;
+    }
+    this->Target->setCurrent(this->Saved.contains(current) ? current : *this->Saved.rbegin());
+  }
+
+  static constexpr StepId kMostSteps = 100000;
+
+  ProjectFile Source;
+  std::string Path;
+  Execution& Run;
+  std::optional<ProjectFile> Target;
+  LoadedComplexes Complexes;
+  std::set<StepId> Saved;
+  SalvageReport Report;
+};
+
+ProjectFile::ProjectFile(const std::string& path, Salvage)
+  : Guard(path)
+  , ReadOnly("it is being salvaged")
+  , Data(path, Database::Access::damaged)
+{
+}
+
+SalvageReport ProjectFile::salvage(
+  const std::string& damaged, const std::string& path, Execution& execution)
+{
+  return Salvager(damaged, path, execution).save();
+}
+
+std::string textOf(const SalvageReport& report)
+{
+  std::string text = "saved " + std::to_string(report.steps) + " steps, " +
+    std::to_string(report.results) + " of them with their results\n";
+  for (const StepId step : report.withoutResult)
+  {
+    text += "the result of step " + std::to_string(step) + " is lost\n";
+  }
+  if (report.lost > 0)
+  {
+    text += std::to_string(report.lost) + " more steps or entries are lost\n";
+  }
+  return text;
 }
 
 } // namespace scan

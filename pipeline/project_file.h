@@ -24,6 +24,12 @@ struct SalvageReport
   std::vector<StepId> withoutResult;
 };
 
+/// For the user.
+std::string textOf(const SalvageReport& report);
+
+/// Whether a file of that name is a project: NAME.wrp.
+bool isProjectName(const std::string& path);
+
 /// A project: the steps of a history and their results in one SQLite file (docs/project-file.md).
 ///
 /// A step is durable when addStep() returns; until then the file holds nothing of it, whatever
@@ -42,7 +48,7 @@ public:
   static void create(const std::string& path);
 
   /// Copies a whole project; the copy appears under its name when it is complete.
-  static void copy(const ProjectFile& from, const std::string& path);
+  static void copy(const std::string& from, const std::string& path);
 
   /// Makes a new project of all that can be read of a damaged one.
   static SalvageReport salvage(
@@ -106,6 +112,7 @@ private:
     std::string WhyNot;
   };
 
+  friend class Salvager;
   struct Salvage
   {
   };

@@ -9,6 +9,7 @@
 #include <vtkDataObject.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <chrono>
 #include <exception>
@@ -117,6 +118,15 @@ StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOpti
   return step;
 }
 
+void addCounts(StepResult& step)
+{
+  if (auto* const model = vtkPolyData::SafeDownCast(step.output))
+  {
+    step.results.emplace_back("output-points", std::int64_t{ model->GetNumberOfPoints() });
+    step.results.emplace_back("output-triangles", std::int64_t{ model->GetNumberOfPolys() });
+  }
+}
+
 StepResult guardedStep(const std::function<StepResult()>& body)
 {
   StepResult step;
@@ -155,6 +165,7 @@ StepResult runOperation(const Operation& operation, const ParameterValues& given
       {
         step.results = operation.results ? operation.results(*filter) : Results();
         step.note = operation.note ? operation.note(*filter) : step.note;
+        addCounts(step);
       }
       return step;
     });

@@ -44,6 +44,9 @@ StepResult runAlgorithm(vtkAlgorithm& fresh, vtkDataObject* input, const RunOpti
 /// What the body returns; what it throws becomes the outcome of a step without a result.
 StepResult guardedStep(const std::function<StepResult()>& body);
 
+/// Adds the numbers of points and triangles of the output to the results.
+void addCounts(StepResult& step);
+
 /// Runs an operation of the table on a fresh filter.
 /// @param given parameters that differ from their defaults
 StepResult runOperation(const Operation& operation, const ParameterValues& given,

@@ -4,7 +4,7 @@
 
 #include "app/cli/suggestion.h"
 #include "filters/base/error.h"
-#include "filters/base/unit.h"
+#include "pipeline/history_verb.h"
 
 #include <algorithm>
 #include <charconv>
@@ -43,15 +43,6 @@ std::int64_t parseBytes(const std::string& text)
   return static_cast<std::int64_t>(number);
 }
 
-/// What --unit takes.
-std::vector<std::string> unitChoices()
-{
-  std::vector<std::string> choices = { "file" };
-  std::ranges::transform(
-    kUnits, std::back_inserter(choices), [](const Unit& unit) { return std::string(unit.symbol); });
-  return choices;
-}
-
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters)
 {
   std::vector<std::string> names(parameters.size());
@@ -61,9 +52,15 @@ std::vector<std::string> namesOf(const std::vector<Parameter>& parameters)
 
 std::vector<std::string> verbs()
 {
-  std::vector<std::string> names(operationTable().size());
-  std::ranges::transform(operationTable(), names.begin(), &Operation::verb);
+  std::vector<std::string> names = { historyOperation().verb };
+  std::ranges::transform(operationTable(), std::back_inserter(names), &Operation::verb);
   return names;
+}
+
+/// The operation or history verb of that name, or null.
+const Operation* findVerb(const std::string& word)
+{
+  return word == historyOperation().verb ? &historyOperation() : findOperation(word);
 }
 
 const Parameter* findParameter(const std::vector<Parameter>& parameters, std::string_view name)
@@ -133,7 +130,7 @@ private:
     {
       refuse(word + ": there is no such option; see scanwrap --help");
     }
-    else if (const Operation* operation = findOperation(word))
+    else if (const Operation* operation = findVerb(word))
     {
       this->Line.steps.emplace_back(OperationWish{ operation, {} });
       this->VerbIndex = this->Line.steps.size() - 1;
@@ -266,7 +263,6 @@ private:
   {
     CommandLine& line = this->Line;
     const auto progress = this->global<std::string>("progress");
-    const auto as = this->global<std::string>("as");
     line.threads = static_cast<unsigned>(this->global<std::int64_t>("threads"));
     line.maxMemory = parseBytes(this->global<std::string>("max-memory"));
     line.quiet = this->global<bool>("quiet");
@@ -281,14 +277,13 @@ private:
     line.progress = progress == "json" ? ProgressMode::json
       : progress == "none"             ? ProgressMode::none
                                        : ProgressMode::automatic;
-    line.reading.as = as == "points" ? ReadAs::points
-      : as == "mesh"                 ? ReadAs::mesh
-                                     : ReadAs::automatic;
-    line.reading.tolerance = this->global<Length>("tolerance");
-    line.transforms = this->global<std::string>("transforms");
-    const auto symbol = this->global<std::string>("unit");
-    const auto* const unit = std::ranges::find(kUnits, symbol, &Unit::symbol);
-    line.unit = unit != kUnits.end() ? unit->millimetres : 0.0;
+    for (const Parameter& parameter : readParameters())
+    {
+      if (const auto given = this->Globals.find(parameter.name); given != this->Globals.end())
+      {
+        line.reading.insert(*given);
+      }
+    }
     line.encoding = this->global<std::string>("encoding");
     if (this->global<bool>("help"))
     {
@@ -319,51 +314,42 @@ private:
 
 const std::vector<Parameter>& globalOptions()
 {
-  static const std::vector<Parameter> kOptions{
-    { .name = "as",
-      .defaultValue = "auto",
-      .help = "what to take from the input files: what they hold, points only, or meshes only",
-      .choices = { "auto", "points", "mesh" } },
-    { .name = "unit",
-      .defaultValue = "file",
-      .help = "of input files that do not tell theirs; file for what they tell, or none",
-      .choices = unitChoices() },
-    { .name = "tolerance",
-      .defaultValue = ReadOptions().tolerance,
-      .help = "distance of the triangles of STEP and IGES files from their surfaces; % of the size",
-      .minimum = 0 },
-    { .name = "transforms",
-      .defaultValue = "",
-      .help = "a list that places the input files: a name and 16, 12 or 7 numbers for each" },
-    { .name = "encoding",
-      .defaultValue = "binary",
-      .help = "of PLY and STL outputs",
-      .choices = { "binary", "ascii" } },
-    { .name = "overwrite", .defaultValue = false, .help = "replace outputs that exist" },
-    { .name = "json",
-      .defaultValue = "",
-      .help =
-        "write a record of every step to this file, or to standard output (-); peak-bytes is the "
-        "program's peak memory so far" },
-    { .name = "progress",
-      .defaultValue = "auto",
-      .help = "on stderr: a bar on a terminal, nothing, or a JSON object a line",
-      .choices = { "auto", "none", "json" } },
-    { .name = "threads",
-      .defaultValue = std::int64_t{ 0 },
-      .help = "number of threads; 0 for all cores",
-      .minimum = 0,
-      .maximum = 1024 },
-    { .name = "max-memory",
-      .defaultValue = "0",
-      .help = "give up (status 5) rather than use more memory, e.g. 4G; 0 for no limit" },
-    { .name = "dry-run", .defaultValue = false, .help = "check everything, then only say what" },
-    { .name = "quiet", .defaultValue = false, .help = "no progress and no tables" },
-    { .name = "verbose", .defaultValue = false, .help = "a line on stderr for every step" },
-    { .name = "help", .defaultValue = false, .help = "this help, or that of the verb before it" },
-    { .name = "formats", .defaultValue = false, .help = "a table of the formats of files" },
-    { .name = "version", .defaultValue = false, .help = "the version" },
-  };
+  static const std::vector<Parameter> kOptions = []
+  {
+    std::vector<Parameter> options = readParameters();
+    const std::vector<Parameter> others{
+      { .name = "encoding",
+        .defaultValue = "binary",
+        .help = "of PLY and STL outputs",
+        .choices = { "binary", "ascii" } },
+      { .name = "overwrite", .defaultValue = false, .help = "replace outputs that exist" },
+      { .name = "json",
+        .defaultValue = "",
+        .help =
+          "write a record of every step to this file, or to standard output (-); peak-bytes is the "
+          "program's peak memory so far" },
+      { .name = "progress",
+        .defaultValue = "auto",
+        .help = "on stderr: a bar on a terminal, nothing, or a JSON object a line",
+        .choices = { "auto", "none", "json" } },
+      { .name = "threads",
+        .defaultValue = std::int64_t{ 0 },
+        .help = "number of threads; 0 for all cores",
+        .minimum = 0,
+        .maximum = 1024 },
+      { .name = "max-memory",
+        .defaultValue = "0",
+        .help = "give up (status 5) rather than use more memory, e.g. 4G; 0 for no limit" },
+      { .name = "dry-run", .defaultValue = false, .help = "check everything, then only say what" },
+      { .name = "quiet", .defaultValue = false, .help = "no progress and no tables" },
+      { .name = "verbose", .defaultValue = false, .help = "a line on stderr for every step" },
+      { .name = "help", .defaultValue = false, .help = "this help, or that of the verb before it" },
+      { .name = "formats", .defaultValue = false, .help = "a table of the formats of files" },
+      { .name = "version", .defaultValue = false, .help = "the version" },
+    };
+    options.insert(options.end(), others.begin(), others.end());
+    return options;
+  }();
   return kOptions;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "pipeline/format_registry.h"
+#include "pipeline/import.h"
 #include "pipeline/operation_table.h"
 
 #include <cstdint>
@@ -60,11 +60,9 @@ struct CommandLine
   bool dryRun = false;
   bool overwrite = false;
   ProgressMode progress = ProgressMode::automatic;
-  std::string json; ///< path of the record, "-" for standard output; empty: none
-  ReadOptions reading;
-  double unit = 0.0;      ///< of inputs that do not tell theirs, in millimetres; 0: none
-  std::string transforms; ///< path of a list that places the inputs; empty: none
-  std::string encoding;   ///< for outputs that have it and do not give their own
+  std::string json;        ///< path of the record, "-" for standard output; empty: none
+  ParameterValues reading; ///< those of readParameters() that are given
+  std::string encoding;    ///< for outputs that have it and do not give their own
 };
 
 /// The options that are not a verb's, for the parser and the help.

@@ -10,12 +10,13 @@
 namespace scan
 {
 
-/// What the program returns to the shell; 3 is kept for checks that the caller asks for.
+/// What the program returns to the shell.
 enum class ExitStatus
 {
   done = 0,
-  failed = 1, ///< an operation failed, or an output could not be written
-  usage = 2,  ///< a wrong command line or an unreadable input
+  failed = 1,      ///< an operation failed, or an output could not be written
+  usage = 2,       ///< a wrong command line or an unreadable input
+  checkFailed = 3, ///< a check that the caller asked for
   cancelled = 4,
   overMemory = 5
 };

@@ -63,18 +63,6 @@ std::string_view nameOf(vtkScanOutcome::State state)
   return {};
 }
 
-struct ToText
-{
-  std::string operator()(std::monostate) const { return "-"; }
-  std::string operator()(bool value) const { return value ? "yes" : "no"; }
-  std::string operator()(const std::string& value) const { return value; }
-  template <class Number>
-  std::string operator()(Number value) const
-  {
-    return fmt::format("{}", value);
-  }
-};
-
 } // namespace
 
 void Record::add(std::string verb, ParameterValues parameters, const StepResult& result)
@@ -105,21 +93,6 @@ std::string Record::json(int exitStatus, const std::string& failure) const
   }
   // names of files need not be UTF-8
   return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string tableOf(const Results& results)
-{
-  std::size_t width = 0;
-  for (const auto& [name, value] : results)
-  {
-    width = std::max(width, name.size());
-  }
-  std::string text;
-  for (const auto& [name, value] : results)
-  {
-    text += fmt::format("{:<{}}  {}\n", name, width, std::visit(ToText{}, value));
-  }
-  return text;
 }
 
 } // namespace scan

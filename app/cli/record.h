@@ -31,7 +31,4 @@ private:
   std::vector<Step> Steps;
 };
 
-/// "points  34817" a line, aligned.
-std::string tableOf(const Results& results);
-
 } // namespace scan

@@ -6,8 +6,12 @@
 #include "app/cli/record.h"
 #include "app/cli/terminal_progress.h"
 #include "filters/base/error.h"
-#include "pipeline/input_models.h"
+#include "pipeline/document.h"
+#include "pipeline/file_head.h"
+#include "pipeline/history_verb.h"
 #include "pipeline/output_files.h"
+#include "pipeline/peak_memory.h"
+#include "pipeline/result_text.h"
 #include "pipeline/runner.h"
 
 #include <vtkAlgorithm.h>
@@ -17,8 +21,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
 #include <new>
-#include <optional>
 
 namespace scan
 {
@@ -81,12 +86,25 @@ void refuseSameFiles(const std::vector<std::string>& outputs, const CommandLine&
   }
 }
 
+bool isHistory(const OperationWish& wish)
+{
+  return wish.operation->stage == Stage::history;
+}
+
+/// Where --salvage wants what is whole of a damaged project; empty when it is not given.
+std::string salvageIn(const OperationWish& wish)
+{
+  const auto given = wish.given.find("salvage");
+  return isHistory(wish) && given != wish.given.end() ? std::get<std::string>(given->second) : "";
+}
+
 class Session
 {
 public:
   Session(const CommandLine& line, const CancelToken& token)
     : Line(line)
     , Progress(line.progress, line.quiet)
+    , Doc(Document::withoutHashes())
   {
     this->Options.threads = line.threads;
     this->Options.token = token;
@@ -97,62 +115,45 @@ public:
   /// Everything that can be refused without reading a model.
   void check()
   {
-    translated(ExitStatus::usage, [&] { checkReadOptions(this->Line.reading); });
-    std::vector<std::string> outputs;
-    for (const CommandLine::Step& step : this->Line.steps)
-    {
-      if (const auto* output = std::get_if<OutputWish>(&step))
-      {
-        translated(ExitStatus::usage, [&] { formatToWrite(output->path); });
-        outputs.push_back(output->path);
-      }
-    }
-    if (!this->Line.json.empty())
-    {
-      outputs.push_back(this->Line.json);
-    }
+    const std::vector<std::string> outputs = this->findOutputs();
     this->IsOutputFree = std::ranges::find(outputs, "-") == outputs.end();
     refuseSameFiles(outputs, this->Line);
     for (const std::string& output : outputs)
     {
       translated(ExitStatus::usage, [&] { checkOutput(output, this->Line.overwrite); });
     }
-    if (std::ranges::count(this->Line.inputs, "-") > 1)
-    {
-      throw Failure(ExitStatus::usage, "standard input can be read only once");
-    }
-    if (outputs.empty() && !this->hasAnalysis() && !this->Line.verbose && !this->Line.dryRun)
+    this->findProject();
+    if (outputs.empty() && !this->HasProject && !this->hasAnalysis() && !this->Line.verbose &&
+      !this->Line.dryRun)
     {
       throw Failure(
         ExitStatus::usage, "the result would be lost; add -o FILE, or info to measure it");
     }
-    if (!this->Line.transforms.empty())
+    if (this->OldProject.empty())
     {
-      translated(ExitStatus::usage, [&] { this->Transforms.emplace(this->Line.transforms); });
-    }
-    for (const std::string& input : this->Line.inputs)
-    {
-      if (this->Transforms)
-      {
-        translated(ExitStatus::usage, [&] { this->Transforms->placeOf(input); });
-      }
-      this->InputFormats.push_back(
-        translated(ExitStatus::usage, [&] { return &formatToRead(input, this->Options.token); }));
+      ParameterValues values = this->Line.reading;
+      values.emplace("files", this->Line.inputs);
+      this->Opening = completeValues(openParameters(), values, "open");
+      this->Files = translated(ExitStatus::usage,
+        [&] { return std::make_unique<const Import>(this->Opening, this->Options.token); });
     }
   }
 
   void describe() const
   {
+    constexpr const char* kProject = "Scanwrap project";
     std::string text;
     for (std::size_t i = 0; i < this->Line.inputs.size(); ++i)
     {
-      text += "open " + this->Line.inputs[i] + " (" + this->InputFormats[i]->name + ")\n";
+      text += "open " + this->Line.inputs[i] + " (" +
+        (this->Files ? this->Files->format(i).name : kProject) + ")\n";
     }
     for (const CommandLine::Step& step : this->Line.steps)
     {
       if (const auto* output = std::get_if<OutputWish>(&step))
       {
-        text += "save " + output->path + " (" + formatToWrite(output->path).name + ")\n";
+        text += "save " + output->path + " (" +
+          (isProjectName(output->path) ? kProject : formatToWrite(output->path).name) + ")\n";
         continue;
       }
       const auto& wish = std::get<OperationWish>(step);
@@ -168,26 +169,23 @@ public:
 
   void run()
   {
-    std::vector<InputModel> parts;
-    for (std::size_t i = 0; i < this->Line.inputs.size(); ++i)
+    if (!this->salvage())
     {
-      parts.push_back(this->open(this->Line.inputs[i], *this->InputFormats[i]));
-    }
-    const InputModel merged = translated(ExitStatus::usage, [&] { return mergeModels(parts); });
-    this->note(merged.note);
-    this->Model = merged.data;
-    for (const CommandLine::Step& step : this->Line.steps)
-    {
-      if (const auto* output = std::get_if<OutputWish>(&step))
+      this->openDocument();
+      for (const CommandLine::Step& step : this->Line.steps)
       {
-        this->save(*output);
+        this->runStep(step);
       }
-      else
+      if (!this->OldProject.empty() && this->Line.steps.empty())
       {
-        this->apply(std::get<OperationWish>(step));
+        this->tellHistory({});
       }
     }
     say(this->Notes);
+    if (this->HasFailedCheck)
+    {
+      throw Failure(ExitStatus::checkFailed, "a check failed, see above");
+    }
   }
 
   void writeRecord(ExitStatus status, const std::string& message) const
@@ -200,35 +198,153 @@ public:
   }
 
 private:
+  void runStep(const CommandLine::Step& step)
+  {
+    if (const auto* output = std::get_if<OutputWish>(&step))
+    {
+      this->save(*output);
+    }
+    else if (const auto& wish = std::get<OperationWish>(step); isHistory(wish))
+    {
+      this->tellHistory(wish.given);
+    }
+    else
+    {
+      this->apply(wish);
+    }
+  }
+
+  /// The files that the line wants written, each of a known format; a project is noted.
+  std::vector<std::string> findOutputs()
+  {
+    std::vector<std::string> outputs;
+    for (const CommandLine::Step& step : this->Line.steps)
+    {
+      const auto* const output = std::get_if<OutputWish>(&step);
+      const std::string path =
+        output != nullptr ? output->path : salvageIn(std::get<OperationWish>(step));
+      if (output != nullptr && !isProjectName(path))
+      {
+        translated(ExitStatus::usage, [&] { formatToWrite(path); });
+      }
+      else if (output != nullptr)
+      {
+        if (!this->NewProject.empty())
+        {
+          throw Failure(ExitStatus::usage,
+            path + ": is the second project; keep the steps in one, copy it afterwards");
+        }
+        this->NewProject = path;
+      }
+      if (output != nullptr || !path.empty())
+      {
+        outputs.push_back(path);
+      }
+    }
+    if (!this->Line.json.empty())
+    {
+      outputs.push_back(this->Line.json);
+    }
+    return outputs;
+  }
+
+  /// Whether the input is a project.
+  void findProject()
+  {
+    const auto isProject = [&](const std::string& path)
+    {
+      return path != "-" &&
+        translated(ExitStatus::usage, [&] { return ProjectFile::looksLike(headOfFile(path)); });
+    };
+    const std::vector<std::string>& inputs = this->Line.inputs;
+    if (inputs.size() == 1 && isProject(inputs.front()))
+    {
+      this->OldProject = inputs.front();
+    }
+    else if (std::ranges::any_of(inputs, isProject))
+    {
+      throw Failure(ExitStatus::usage, "a project is opened alone; leave out the other files");
+    }
+    if (!this->OldProject.empty() && !this->NewProject.empty() &&
+      isSameFile(this->OldProject, this->NewProject))
+    {
+      throw Failure(ExitStatus::usage,
+        this->OldProject + ": keeps every step already; leave out -o " + this->NewProject);
+    }
+    this->HasProject = !this->OldProject.empty() || !this->NewProject.empty();
+  }
+
   bool hasAnalysis() const
   {
     return std::ranges::any_of(this->Line.steps,
       [](const CommandLine::Step& step)
       {
         const auto* wish = std::get_if<OperationWish>(&step);
-        return wish != nullptr && wish->operation->stage == Stage::analysis;
+        return wish != nullptr && (wish->operation->stage == Stage::analysis || isHistory(*wish));
       });
   }
 
-  InputModel open(const std::string& path, const Format& format)
+  /// Whether what is whole of a damaged project was to be saved.
+  bool salvage()
   {
-    const auto reader =
-      translated(ExitStatus::usage, [&] { return format.makeReader(path, this->Line.reading); });
-    this->Progress.start("open");
-    const StepResult step = this->finish("open", { { "file", path } },
-      runAlgorithm(*reader, nullptr, this->Options), ExitStatus::usage);
-    this->note(step.note, path);
-    InputModel model{ vtkPolyData::SafeDownCast(step.output), path, {} };
-    return translated(ExitStatus::usage,
+    const auto* const first =
+      this->Line.steps.empty() ? nullptr : std::get_if<OperationWish>(&this->Line.steps.front());
+    const std::string path = first != nullptr ? salvageIn(*first) : "";
+    if (path.empty())
+    {
+      return false;
+    }
+    this->Progress.start("salvage");
+    const std::string told = translated(ExitStatus::usage,
       [&]
       {
-        if (this->Line.unit > 0.0)
-        {
-          model = withUnit(std::move(model), this->Line.unit);
-          this->note(model.note);
-        }
-        return this->Transforms ? placed(std::move(model), this->Transforms->placeOf(path)) : model;
+        Execution execution(this->Options.threads, this->Options.token, this->Options.progress);
+        return textOf(ProjectFile::salvage(this->Line.inputs.front(), path, execution));
       });
+    this->Progress.finish();
+    this->tell(told);
+    return true;
+  }
+
+  void openDocument()
+  {
+    if (this->OldProject.empty())
+    {
+      this->openFiles();
+      return;
+    }
+    translated(ExitStatus::usage,
+      [&]
+      {
+        if (!this->NewProject.empty())
+        {
+          ProjectFile::copy(this->OldProject, this->NewProject);
+        }
+        this->Doc = Document::open(this->NewProject.empty() ? this->OldProject : this->NewProject);
+      });
+    const std::string& why = this->Doc.project()->whyReadOnly();
+    this->note(why.empty() ? "" : "can only be read: " + why, this->Doc.project()->path());
+  }
+
+  void openFiles()
+  {
+    if (!this->NewProject.empty())
+    {
+      this->Doc = Document::create(this->NewProject);
+    }
+    this->Progress.start("open");
+    const StepResult opened = this->Doc.import(this->Opening, this->Options,
+      [&](const std::string& path, const StepResult& step)
+      {
+        this->note(step.note, path);
+        if (!path.empty())
+        {
+          this->record("open", { { "file", path } }, step);
+          this->Progress.start("open");
+        }
+      });
+    this->Progress.finish();
+    throwUnlessOk(opened.outcome, "", ExitStatus::usage);
   }
 
   /// What the user should know, told when everything went well.
@@ -240,40 +356,68 @@ private:
     }
   }
 
+  /// Text that was asked for.
+  void tell(const std::string& text) const
+  {
+    if (text.empty() || this->Line.quiet)
+    {
+      return;
+    }
+    if (this->IsOutputFree)
+    {
+      translated(ExitStatus::failed, [&] { writeText("-", text); });
+    }
+    else
+    {
+      say(text);
+    }
+  }
+
   void apply(const OperationWish& wish)
   {
     const Operation& operation = *wish.operation;
     this->Progress.start(operation.verb);
-    StepResult found = runOperation(operation, wish.given, *this->Model, this->Options);
-    const std::string table = tableOf(found.results);
-    const StepResult step = this->finish(
-      operation.verb, completeValues(operation, wish.given), std::move(found), ExitStatus::failed);
+    const StepResult step = this->Doc.apply(operation, wish.given, this->Options);
+    this->finish(operation.verb, completeValues(operation, wish.given), step, ExitStatus::failed);
     this->note(step.note, operation.verb);
-    if (auto* const model = vtkPolyData::SafeDownCast(step.output))
+    this->Picture = vtkPolyData::SafeDownCast(step.output) == nullptr ? step.output : nullptr;
+    if (operation.stage == Stage::analysis)
     {
-      this->Model = model;
-      this->Picture = nullptr;
+      Results found = step.results;
+      std::erase_if(found, [](const auto& result) { return result.first.starts_with("output-"); });
+      this->tell(tableOf(found));
     }
-    else
-    {
-      this->Picture = step.output;
-    }
-    if (operation.stage == Stage::analysis && !table.empty() && !this->Line.quiet)
-    {
-      if (this->IsOutputFree)
+  }
+
+  void tellHistory(const ParameterValues& given)
+  {
+    this->Progress.start("history");
+    HistoryAnswer answer;
+    const StepResult step = guardedStep(
+      [&]
       {
-        translated(ExitStatus::failed, [&] { writeText("-", table); });
-      }
-      else
-      {
-        say(table);
-      }
-    }
+        const auto start = std::chrono::steady_clock::now();
+        answer = runHistory(this->Doc, given, this->Options, this->Line.overwrite);
+        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+        StepResult done;
+        done.seconds = time.count();
+        done.peakBytes = peakMemory();
+        done.results = answer.results;
+        return done;
+      });
+    this->finish("history", given, step, ExitStatus::failed);
+    this->HasFailedCheck = this->HasFailedCheck || answer.hasFailedCheck;
+    this->Picture = nullptr;
+    this->tell(answer.text);
   }
 
   void save(const OutputWish& wish)
   {
     const std::string& path = wish.path;
+    if (isProjectName(path))
+    {
+      return; // holds every step already
+    }
     const Format& format = formatToWrite(path);
     ParameterValues values = wish.given;
     if (std::ranges::find(format.writeParameters, "encoding", &Parameter::name) !=
@@ -282,62 +426,69 @@ private:
       values.emplace("encoding", this->Line.encoding);
     }
     values = completeValues(format.writeParameters, values, path);
-    vtkDataObject* data = this->Model;
-    if (format.isPicture)
+    const vtkSmartPointer<vtkPolyData> model = translated(
+      ExitStatus::failed, [&] { return this->Doc.result(this->Doc.current(), this->Options); });
+    if (format.isPicture && this->Picture == nullptr)
     {
-      if (this->Picture == nullptr)
-      {
-        this->apply({ findOperation("render"), {} });
-      }
-      data = this->Picture;
+      this->apply({ findOperation("render"), {} });
     }
+    vtkDataObject* const data = format.isPicture ? this->Picture.Get() : model.Get();
     const auto writer = format.makeWriter(path, values);
     this->Progress.start("save");
     values.emplace("file", path);
     StepResult saved = runAlgorithm(*writer, data, this->Options);
-    const std::string losses = lossesOf(format, *this->Model);
+    const std::string losses = lossesOf(format, *model);
     saved.note += (saved.note.empty() || losses.empty() ? "" : "; ") + losses;
-    this->note(this->finish("save", values, std::move(saved), ExitStatus::failed).note, path);
+    this->finish("save", values, saved, ExitStatus::failed);
+    this->note(saved.note, path);
   }
 
-  /// Records a step and throws unless it went well.
-  StepResult finish(const std::string& verb, const ParameterValues& parameters, StepResult step,
-    ExitStatus ifFailed)
+  void record(const std::string& verb, const ParameterValues& parameters, const StepResult& step)
   {
     this->Progress.finish();
-    if (auto* const model = vtkPolyData::SafeDownCast(step.output))
-    {
-      step.results.emplace_back("output-points", std::int64_t{ model->GetNumberOfPoints() });
-      step.results.emplace_back("output-triangles", std::int64_t{ model->GetNumberOfPolys() });
-    }
     this->Steps.add(verb, parameters, step);
-    if (step.outcome.state == State::cancelled)
-    {
-      throw Failure(ExitStatus::cancelled, "cancelled");
-    }
-    if (step.outcome.state == State::failed)
-    {
-      const bool isFile = verb == "open" || verb == "save"; // their messages name the file
-      throw Failure(statusOf(step.outcome.code, ifFailed),
-        isFile ? step.outcome.message : verb + ": " + step.outcome.message);
-    }
-    if (this->Line.verbose)
+    if (this->Line.verbose && step.outcome.state == State::ok)
     {
       say(fmt::format("{}: {:.2f} s, {:.0f} MB\n{}", verb, step.seconds,
         static_cast<double>(step.peakBytes) / 1e6, tableOf(step.results)));
     }
-    return step;
+  }
+
+  /// Records a step and throws unless it went well.
+  void finish(const std::string& verb, const ParameterValues& parameters, const StepResult& step,
+    ExitStatus ifFailed)
+  {
+    this->record(verb, parameters, step);
+    // messages about files name them
+    throwUnlessOk(step.outcome, verb == "save" ? "" : verb + ": ", ifFailed);
+  }
+
+  static void throwUnlessOk(
+    const vtkScanOutcome& outcome, const std::string& prefix, ExitStatus ifFailed)
+  {
+    if (outcome.state == State::cancelled)
+    {
+      throw Failure(ExitStatus::cancelled, "cancelled");
+    }
+    if (outcome.state == State::failed)
+    {
+      throw Failure(statusOf(outcome.code, ifFailed), prefix + outcome.message);
+    }
   }
 
   const CommandLine& Line;
   TerminalProgress Progress;
   RunOptions Options;
   Record Steps;
-  std::vector<const Format*> InputFormats;
-  std::optional<TransformList> Transforms;
+  std::string OldProject; // the input, if it is one
+  std::string NewProject; // the output, if one is
+  bool HasProject = false;
+  ParameterValues Opening;
+  std::unique_ptr<const Import> Files;
   bool IsOutputFree = true; // nobody asked for data on standard output
-  vtkSmartPointer<vtkPolyData> Model;
+  Document Doc;
   vtkSmartPointer<vtkDataObject> Picture; // of the model as it is
+  bool HasFailedCheck = false;
   std::string Notes;
 };
 
