@@ -3,6 +3,7 @@
 #include "pipeline/document.h"
 
 #include "filters/base/error.h"
+#include "filters/wrap/vtkScanWrapData.h"
 #include "pipeline/form_hash.h"
 #include "pipeline/time_text.h"
 
@@ -232,6 +233,7 @@ std::vector<StepId> Document::branchFrom(StepId step) const
 void Document::hold(StepId step, vtkSmartPointer<vtkPolyData> result)
 {
   this->Ages.push_front(step);
+  this->Seen[step] = result;
   this->Results[step] = { std::move(result), this->Ages.begin() };
   this->trim();
 }
@@ -268,7 +270,12 @@ vtkSmartPointer<vtkPolyData> Document::result(StepId id, const RunOptions& optio
     this->Ages.splice(this->Ages.begin(), this->Ages, held->second.age);
     return held->second.result;
   }
-  vtkSmartPointer<vtkPolyData> result;
+  vtkSmartPointer<vtkPolyData> result = this->Seen[id].GetPointer();
+  if (result != nullptr)
+  {
+    this->hold(id, result);
+    return result;
+  }
   if (this->File && this->File->hasResult(id))
   {
     Execution execution = executionFor(options);
@@ -348,6 +355,11 @@ void Document::keep(StepId parent, const std::string& verb, const ParameterValue
   if (this->File)
   {
     this->File->addStep(step, *model, execution);
+    auto* const wrap = vtkScanWrapData::SafeDownCast(model);
+    if (wrap != nullptr && wrap->GetModel().scan)
+    {
+      this->Complexes[complexOf(this->File->formOf(step.id))] = wrap->GetModel().scan;
+    }
   }
   else
   {
@@ -517,6 +529,7 @@ void Document::removeBranch(StepId id)
   std::erase_if(this->Steps, [&](const Step& step) { return isRemoved(step.id); });
   std::erase_if(this->Results, [&](const auto& entry) { return isRemoved(entry.first); });
   std::erase_if(this->Ages, isRemoved);
+  std::erase_if(this->Seen, [&](const auto& entry) { return isRemoved(entry.first); });
   this->Current = current;
 }
 

@@ -9,6 +9,7 @@
 #include "pipeline/step.h"
 
 #include <vtkSmartPointer.h>
+#include <vtkWeakPointer.h>
 
 #include <cstdint>
 #include <functional>
@@ -139,7 +140,8 @@ private:
   StepId Last = 0; ///< the highest number ever given
   std::int64_t Budget;
   std::map<StepId, Held> Results;
-  std::list<StepId> Ages; ///< the result used last in front
+  std::map<StepId, vtkWeakPointer<vtkPolyData>> Seen; ///< results that others may still hold
+  std::list<StepId> Ages;                             ///< the result used last in front
   LoadedComplexes Complexes;
 };
 

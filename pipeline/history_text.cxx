@@ -31,7 +31,7 @@ std::string sizeText(const Step& step)
   std::string digits = std::to_string(triangles > 0 ? triangles : numberOf("output-points"));
   for (std::size_t place = digits.size(); place > 3; place -= 3)
   {
-    digits.insert(place - 3, ",");
+    digits.insert(place - 3, 1, ',');
   }
   return digits + (triangles > 0 ? " triangles" : " points");
 }

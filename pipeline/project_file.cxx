@@ -319,7 +319,7 @@ void ProjectFile::addStep(Step& step, vtkPolyData& result, Execution& execution)
 {
   this->checkWritable();
   execution.step("store", 0, 1);
-  const DataForm form = formOf(result);
+  const DataForm form = scan::formOf(result);
   Transaction transaction(this->Data);
   step.inputHash.clear();
   if (step.parent != 0)
@@ -488,7 +488,7 @@ bool ProjectFile::hasResult(StepId step) const
   return row.next() && !row.isNull(0);
 }
 
-StoredForm ProjectFile::formAt(std::int64_t result) const
+StoredForm ProjectFile::formOfResult(std::int64_t result) const
 {
   StoredForm form;
   Statement head = this->Data.prepare("SELECT hash, kind, facts FROM result WHERE id = ?");
@@ -574,8 +574,7 @@ void ProjectFile::readArray(
   }
 }
 
-vtkSmartPointer<vtkPolyData> ProjectFile::readResult(
-  StepId step, LoadedComplexes& complexes, Execution& execution) const
+StoredForm ProjectFile::formOf(StepId step) const
 {
   Statement row = this->Data.prepare("SELECT result FROM step WHERE id = ?");
   row.with(step);
@@ -584,8 +583,14 @@ vtkSmartPointer<vtkPolyData> ProjectFile::readResult(
     throw Error(
       ErrorCode::badInput, this->path() + ": has no result of step " + std::to_string(step));
   }
+  return this->formOfResult(row.integer(0));
+}
+
+vtkSmartPointer<vtkPolyData> ProjectFile::readResult(
+  StepId step, LoadedComplexes& complexes, Execution& execution) const
+{
   return modelOf(
-    this->formAt(row.integer(0)),
+    this->formOf(step),
     [&](const StoredForm::Array& array, std::span<char> values)
     { this->readArray(array, values, execution); },
     complexes, execution);
@@ -639,7 +644,7 @@ std::vector<StepId> ProjectFile::findDamage(Execution& execution) const
   {
     try
     {
-      const StoredForm form = this->formAt(rows.integer(1));
+      const StoredForm form = this->formOfResult(rows.integer(1));
       if (std::ranges::all_of(
             form.arrays, isReadable, [](const auto& entry) { return entry.second; }))
       {
@@ -669,13 +674,16 @@ public:
   SalvageReport save()
   {
     this->Run.plan({ { "salvage", 1.0 } });
-    const StepId last = this->lastStep();
-    for (StepId id = 1; id <= last; ++id)
+    const std::optional<StepId> last = this->lastStep();
+    this->Report.isListWhole = last.has_value();
+    StepId end = last.value_or(kMostMissing);
+    for (StepId id = 1; id <= end; ++id)
     {
-      this->Run.step("salvage", static_cast<std::size_t>(id), static_cast<std::size_t>(last) + 1);
+      this->Run.step("salvage", static_cast<std::size_t>(id), static_cast<std::size_t>(end) + 1);
       if (std::optional<Step> step = this->readStep(id))
       {
         this->saveStep(std::move(*step));
+        end = last.value_or(id + kMostMissing);
       }
     }
     if (!this->Target)
@@ -688,8 +696,8 @@ public:
   }
 
 private:
-  /// The highest number a step may have.
-  StepId lastStep()
+  /// The highest number that a step has had; none when that is lost.
+  std::optional<StepId> lastStep()
   {
     for (const char* const sql :
       { "SELECT seq FROM sqlite_sequence WHERE name = 'step'", "SELECT max(id) FROM step" })
@@ -699,7 +707,7 @@ private:
         Statement row = this->Source.Data.prepare(sql);
         if (row.next() && !row.isNull(0))
         {
-          return std::clamp<StepId>(row.integer(0), 0, kMostSteps);
+          return row.integer(0);
         }
       }
       catch (const Error&)
@@ -707,7 +715,7 @@ private:
         continue; // the other way
       }
     }
-    return kMostSteps;
+    return std::nullopt;
   }
 
   std::optional<Step> readStep(StepId id)
@@ -727,7 +735,7 @@ private:
     }
     catch (const Error&)
     {
-      ++this->Report.lost;
+      this->Report.lost += this->Report.isListWhole ? 1 : 0;
       return std::nullopt;
     }
   }
@@ -757,7 +765,7 @@ private:
     Transaction transaction(this->Target->Data);
     std::string hash;
     this->Target->insertStep(
-      step, result ? this->Target->storeForm(formOf(*result), hash, this->Run) : 0);
+      step, result ? this->Target->storeForm(scan::formOf(*result), hash, this->Run) : 0);
     transaction.commit();
     this->Saved.insert(step.id);
     ++this->Report.steps;
@@ -777,12 +785,12 @@ private:
     }
     catch (const Error&)
     {
-      ++this->Report.lost;
+      this->Report.isListWhole = false;
     }
     this->Target->setCurrent(this->Saved.contains(current) ? current : *this->Saved.rbegin());
   }
 
-  static constexpr StepId kMostSteps = 100000;
+  static constexpr StepId kMostMissing = 1000; // one after the other, where the end is not known
 
   ProjectFile Source;
   std::string Path;
@@ -816,7 +824,11 @@ std::string textOf(const SalvageReport& report)
   }
   if (report.lost > 0)
   {
-    text += std::to_string(report.lost) + " more steps or entries are lost\n";
+    text += std::to_string(report.lost) + " more steps are lost\n";
+  }
+  if (!report.isListWhole)
+  {
+    text += "the list of steps is damaged: others may have been there\n";
   }
   return text;
 }

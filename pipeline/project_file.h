@@ -22,6 +22,7 @@ struct SalvageReport
   std::int64_t results = 0; ///< steps that are saved with their results
   std::int64_t lost = 0;    ///< steps that are known to have been there and are lost
   std::vector<StepId> withoutResult;
+  bool isListWhole = true; ///< else there may have been more
 };
 
 /// For the user.
@@ -83,6 +84,9 @@ public:
 
   bool hasResult(StepId step) const;
 
+  /// How the result of a step is stored. Throws Error badInput for a step without one.
+  StoredForm formOf(StepId step) const;
+
   /// Reports phase "read" and those of a complex.
   vtkSmartPointer<vtkPolyData> readResult(
     StepId step, LoadedComplexes& complexes, Execution& execution) const;
@@ -120,7 +124,7 @@ private:
 
   void check();
 
-  StoredForm formAt(std::int64_t result) const;
+  StoredForm formOfResult(std::int64_t result) const;
   void readArray(
     const StoredForm::Array& array, std::span<char> values, Execution& execution) const;
   std::int64_t storeForm(const DataForm& form, std::string& hash, Execution& execution);
