@@ -3,6 +3,7 @@
 #include "pipeline/recipe.h"
 
 #include "filters/base/error.h"
+#include "readers/mapped_file.h"
 
 #include <algorithm>
 
@@ -186,9 +187,10 @@ Recipe parseRecipe(std::string_view text, const std::string& name)
   return parser.recipe();
 }
 
-bool looksLikeRecipe(std::string_view head)
+Recipe readRecipe(const std::string& path)
 {
-  return head.starts_with(kAnyTitle);
+  const MappedFile file(path);
+  return parseRecipe({ file.bytes().data(), file.bytes().size() }, file.name());
 }
 
 } // namespace scan

@@ -36,7 +36,7 @@ std::string textOf(const Recipe& recipe);
 /// @throws Error parse with the line
 Recipe parseRecipe(std::string_view text, const std::string& name);
 
-/// Whether a file starts like a template.
-bool looksLikeRecipe(std::string_view head);
+/// The recipe in a file. Throws Error io, parse.
+Recipe readRecipe(const std::string& path);
 
 } // namespace scan

@@ -285,6 +285,10 @@ private:
       }
     }
     line.encoding = this->global<std::string>("encoding");
+    line.templateFile = this->global<std::string>("template");
+    line.batch = this->global<TextList>("batch");
+    line.jobs = static_cast<unsigned>(this->global<std::int64_t>("jobs"));
+    line.resume = this->global<bool>("resume");
     if (this->global<bool>("help"))
     {
       line.action = CommandLine::Action::help;
@@ -297,7 +301,15 @@ private:
     {
       line.action = CommandLine::Action::version;
     }
-    else if (line.inputs.empty())
+    else if (!line.batch.empty() && !line.inputs.empty())
+    {
+      refuse("--batch finds the files; leave out " + line.inputs.front());
+    }
+    else if (line.batch.empty() && (line.resume || this->Globals.contains("jobs")))
+    {
+      refuse("--jobs and --resume are for batches; add --batch='scans/*.xyz'");
+    }
+    else if (line.batch.empty() && line.inputs.empty())
     {
       refuse("no input; name the files to open, or - for standard input, see scanwrap --help");
     }
@@ -322,6 +334,20 @@ const std::vector<Parameter>& globalOptions()
         .defaultValue = "binary",
         .help = "of PLY and STL outputs",
         .choices = { "binary", "ascii" } },
+      { .name = "template",
+        .defaultValue = "",
+        .help = "do the operations of this template first; history --save-template makes one" },
+      { .name = "batch",
+        .defaultValue = TextList(),
+        .help = "do all this for every file like 'scans/*.xyz'; {name} in outputs is its name" },
+      { .name = "jobs",
+        .defaultValue = std::int64_t{ 1 },
+        .help = "files of a batch at a time",
+        .minimum = 1,
+        .maximum = 1024 },
+      { .name = "resume",
+        .defaultValue = false,
+        .help = "leave out files of a batch whose outputs are there and not too old" },
       { .name = "overwrite", .defaultValue = false, .help = "replace outputs that exist" },
       { .name = "json",
         .defaultValue = "",

@@ -60,9 +60,13 @@ struct CommandLine
   bool dryRun = false;
   bool overwrite = false;
   ProgressMode progress = ProgressMode::automatic;
-  std::string json;        ///< path of the record, "-" for standard output; empty: none
-  ParameterValues reading; ///< those of readParameters() that are given
-  std::string encoding;    ///< for outputs that have it and do not give their own
+  std::string json;               ///< path of the record, "-" for standard output; empty: none
+  std::string templateFile;       ///< operations to do first; empty: none
+  std::vector<std::string> batch; ///< patterns of files, each to be done alone
+  unsigned jobs = 1;              ///< files of a batch at a time
+  bool resume = false;            ///< leave out files of a batch that are done
+  ParameterValues reading;        ///< those of readParameters() that are given
+  std::string encoding;           ///< for outputs that have it and do not give their own
 };
 
 /// The options that are not a verb's, for the parser and the help.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/batch.h"
 #include "app/cli/command_line.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/help.h"
@@ -42,6 +43,11 @@ void run(const std::vector<std::string>& words, const scan::CancelToken& token)
       scan::writeText("-", "scanwrap " SCAN_VERSION "\n");
       return;
     case Action::run:
+      if (!line.batch.empty())
+      {
+        scan::runBatch(line, words, token);
+        return;
+      }
       scan::limitMemory(line.maxMemory);
       scan::runSession(line, token);
       return;

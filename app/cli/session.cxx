@@ -11,6 +11,7 @@
 #include "pipeline/history_verb.h"
 #include "pipeline/output_files.h"
 #include "pipeline/peak_memory.h"
+#include "pipeline/recipe.h"
 #include "pipeline/result_text.h"
 #include "pipeline/runner.h"
 
@@ -123,6 +124,7 @@ public:
       translated(ExitStatus::usage, [&] { checkOutput(output, this->Line.overwrite); });
     }
     this->findProject();
+    this->readTemplate();
     if (outputs.empty() && !this->HasProject && !this->hasAnalysis() && !this->Line.verbose &&
       !this->Line.dryRun)
     {
@@ -148,6 +150,10 @@ public:
       text += "open " + this->Line.inputs[i] + " (" +
         (this->Files ? this->Files->format(i).name : kProject) + ")\n";
     }
+    for (const RecipeStep& step : this->Template)
+    {
+      text += described(step.operation, step.given);
+    }
     for (const CommandLine::Step& step : this->Line.steps)
     {
       if (const auto* output = std::get_if<OutputWish>(&step))
@@ -157,12 +163,7 @@ public:
         continue;
       }
       const auto& wish = std::get<OperationWish>(step);
-      text += wish.operation->verb;
-      for (const auto& [name, value] : completeValues(*wish.operation, wish.given))
-      {
-        text += " --" + name + "=" + textOf(value);
-      }
-      text += "\n";
+      text += described(wish.operation, wish.given);
     }
     writeText("-", text);
   }
@@ -172,6 +173,10 @@ public:
     if (!this->salvage())
     {
       this->openDocument();
+      for (const RecipeStep& step : this->Template)
+      {
+        this->apply({ step.operation, step.given });
+      }
       for (const CommandLine::Step& step : this->Line.steps)
       {
         this->runStep(step);
@@ -198,6 +203,16 @@ public:
   }
 
 private:
+  static std::string described(const Operation* operation, const ParameterValues& given)
+  {
+    std::string text = operation->verb;
+    for (const auto& [name, value] : completeValues(*operation, given))
+    {
+      text.append(" --").append(name).append("=").append(textOf(value));
+    }
+    return text + "\n";
+  }
+
   void runStep(const CommandLine::Step& step)
   {
     if (const auto* output = std::get_if<OutputWish>(&step))
@@ -272,6 +287,15 @@ private:
         this->OldProject + ": keeps every step already; leave out -o " + this->NewProject);
     }
     this->HasProject = !this->OldProject.empty() || !this->NewProject.empty();
+  }
+
+  void readTemplate()
+  {
+    if (!this->Line.templateFile.empty())
+    {
+      this->Template =
+        translated(ExitStatus::usage, [&] { return readRecipe(this->Line.templateFile); });
+    }
   }
 
   bool hasAnalysis() const
@@ -483,6 +507,7 @@ private:
   std::string OldProject; // the input, if it is one
   std::string NewProject; // the output, if one is
   bool HasProject = false;
+  Recipe Template;
   ParameterValues Opening;
   std::unique_ptr<const Import> Files;
   bool IsOutputFree = true; // nobody asked for data on standard output
