@@ -123,7 +123,7 @@ private:
         report.sheetTriangles, scan::Index{ report.isOpen }, report.openingTriangles,
         report.nonManifoldEdges, report.nonManifoldVertices })
     {
-      this->Text += " " + std::to_string(number);
+      this->Text.append(" ").append(std::to_string(number));
     }
   }
 

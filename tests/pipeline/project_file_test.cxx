@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "tests/pipeline/document_fixtures.h"
+#include "tests/pipeline/integrity.h"
 
 #include <sqlite3.h>
 
@@ -48,24 +49,6 @@ void runSql(const std::string& path, const std::string& sql)
   EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
     << sqlite3_errmsg(handle);
   sqlite3_close(handle);
-}
-
-/// What SQLite says of the whole file: "ok".
-std::string integrityOf(const std::string& path)
-{
-  sqlite3* handle = nullptr;
-  std::string answer;
-  sqlite3_open(path.c_str(), &handle);
-  sqlite3_exec(
-    handle, "PRAGMA integrity_check",
-    [](void* text, int, char** values, char**)
-    {
-      *static_cast<std::string*>(text) += values[0];
-      return 0;
-    },
-    &answer, nullptr);
-  sqlite3_close(handle);
-  return answer;
 }
 
 /// The plate story in a project; per step the hash of its dump.
