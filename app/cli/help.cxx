@@ -3,6 +3,7 @@
 #include "app/cli/help.h"
 
 #include "app/cli/command_line.h"
+#include "pipeline/history_verb.h"
 
 #include <fmt/format.h>
 
@@ -61,6 +62,12 @@ std::string outputOptions()
   return text;
 }
 
+std::string verbLine(const Operation& operation)
+{
+  return fmt::format("  {:<14} {:<10} {}\n", operation.verb,
+    fmt::format("({})", nameOf(operation.stage)), operation.help);
+}
+
 } // namespace
 
 std::string programHelp()
@@ -71,13 +78,14 @@ std::string programHelp()
     "       scanwrap VERB --help\n\n"
     "The files are opened, several as one model; the verbs work on it from left to\n"
     "right; -o writes what there is at that place, a picture if it ends in .png.\n"
+    "-o PART.wrp makes a project that keeps every step; scanwrap PART.wrp goes on with it.\n"
     "- is standard input or output; behind -- files may have names that start with -.\n"
     "\noperations:\n";
   for (const Operation& operation : operationTable())
   {
-    text += fmt::format("  {:<14} {:<10} {}\n", operation.verb,
-      fmt::format("({})", nameOf(operation.stage)), operation.help);
+    text += verbLine(operation);
   }
+  text += verbLine(historyOperation());
   text += "\noptions:\n";
   for (const Parameter& parameter : globalOptions())
   {
@@ -90,6 +98,8 @@ std::string programHelp()
   {
     text += "  " + operation.example + "\n";
   }
+  text += "  " + historyOperation().example + "\n";
+  text += "  scanwrap --batch='scans/*.xyz' --template=part.txt -o 'parts/{name}.stl'\n";
   text += "\nexit status: 0 done, 1 an operation failed, 2 wrong usage or unreadable input,\n"
           "  3 a check failed, 4 cancelled, 5 over the memory limit\n";
   return text;
@@ -97,8 +107,9 @@ std::string programHelp()
 
 std::string operationHelp(const Operation& operation)
 {
-  std::string text = fmt::format(
-    "scanwrap FILE... {} [--option=value ...]\n\n{}.\n", operation.verb, operation.help);
+  const bool isOfProjects = operation.stage == Stage::history;
+  std::string text = fmt::format("scanwrap {} {} [--option=value ...]\n\n{}.\n",
+    isOfProjects ? "PROJECT.wrp" : "FILE...", operation.verb, operation.help);
   if (!operation.parameters.empty())
   {
     text += "\noptions:\n";

@@ -276,6 +276,11 @@ private:
     {
       this->OldProject = inputs.front();
     }
+    else if (inputs.size() == 1 && isProjectName(inputs.front()))
+    {
+      throw Failure(ExitStatus::usage,
+        inputs.front() + ": is no Scanwrap project, or its beginning is damaged");
+    }
     else if (std::ranges::any_of(inputs, isProject))
     {
       throw Failure(ExitStatus::usage, "a project is opened alone; leave out the other files");

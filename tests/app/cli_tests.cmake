@@ -69,6 +69,46 @@ foreach(format ply stl obj png)
 endforeach()
 scan_cli_test(SamePictureOfPoints "for n in 1 2 2; do scanwrap $DATA/torus.xyz --threads=$n --overwrite -o 1.png && md5sum 1.png; done | sort -u | wc -l" OUT "^1\n")
 
+# Projects, templates, batches
+set(plate "scanwrap $DATA/plate_hole.xyz wrap --mode=classic push --at=0,0,0 --deep --quiet")
+scan_cli_test(ProjectGoesOn "${plate} -o out.wrp && scanwrap out.wrp info" FILES out.wrp OUT "triangles +9908\n")
+scan_cli_test(ProjectIsListed "${plate} -o out.wrp && scanwrap out.wrp" FILES out.wrp
+  OUT "  1  open [^\n]*plate_hole.xyz +4,954 points .*  2  wrap --mode=classic +9,238 triangles .*[*] 3  push --at=0,0,0 --deep +9,908 triangles")
+scan_cli_test(ProjectRemembersThePlace "${plate} -o out.wrp && scanwrap out.wrp history --go=2 && scanwrap out.wrp info && scanwrap out.wrp history --go=3 info"
+  FILES out.wrp OUT "triangles +9238\n.*triangles +9908\n")
+scan_cli_test(ProjectBranches "${plate} -o out.wrp && scanwrap out.wrp history --go=2 flatten history" FILES out.wrp OUT "3  [^ ]+ push.*[*] 4  [^ ]+ flatten")
+scan_cli_test(StepsHaveNames "${plate} -o out.wrp && scanwrap out.wrp history --name=start --step=2 && scanwrap out.wrp history --go=start info" FILES out.wrp OUT "triangles +9238\n")
+scan_cli_test(StepIsEdited "${plate} repair-angles -o out.wrp && scanwrap out.wrp history --edit=3 --set=deep=false history --step=5" FILES out.wrp
+  OUT "step 3 again as step 5\nstep 4 again as step 6\n.*--deep +false\n")
+scan_cli_test(StepsAreCompared "${plate} -o out.wrp && scanwrap out.wrp history --compare=2,3" FILES out.wrp
+  OUT "only b  3  push --at=0,0,0 --deep\nsame +no\n.*triangles-b +9908\n.*mean-deviation-a-to-b +0")
+scan_cli_test(BranchIsDeleted "${plate} -o out.wrp && scanwrap out.wrp history --delete=2 history" FILES out.wrp OUT "[*] 1  open [^\n]*\n$")
+scan_cli_test(ProjectIsVerified "${plate} -o out.wrp && scanwrap out.wrp history --verify" FILES out.wrp OUT "all 3 steps come out the same")
+scan_cli_test(VerifyTellsOtherPoints "cp $DATA/torus.xyz in.xyz && scanwrap in.xyz wrap -o out.wrp && echo 0 0 9 >> in.xyz && scanwrap out.wrp history --verify"
+  FILES out.wrp EXIT 3 OUT "step 1: [^\n]*in.xyz: has changed" ERR "a check failed")
+scan_cli_test(ProjectIsCopied "${plate} -o a.wrp && scanwrap a.wrp push --at=0.5,0.5,1 -o out.wrp && scanwrap a.wrp && scanwrap out.wrp" FILES out.wrp OUT "[*] 3  push.*[*] 4  push")
+scan_cli_test(ProjectIsItsOwnOutput "${plate} -o a.wrp; scanwrap a.wrp push --at=0,0,0 --overwrite -o a.wrp" EXIT 2 ERR "keeps every step already")
+scan_cli_test(ProjectAmongFiles "${plate} -o a.wrp; scanwrap a.wrp $DATA/torus.xyz info" EXIT 2 ERR "opened alone")
+scan_cli_test(ProjectThatIsNone "head -c 5000 /dev/urandom > a.wrp; scanwrap a.wrp info" EXIT 2 ERR "no Scanwrap project")
+scan_cli_test(TruncatedProject "${plate} -o a.wrp; truncate -s 200000 a.wrp; scanwrap a.wrp info" EXIT 2 ERR "damaged.*--salvage")
+scan_cli_test(ProjectIsSalvaged "${plate} -o a.wrp && truncate -s -100000 a.wrp && scanwrap a.wrp history --salvage=out.wrp && scanwrap out.wrp" FILES out.wrp OUT "saved [1-3] steps.*open ")
+scan_cli_test(FailedStepIsNotKept "${plate} -o out.wrp; scanwrap out.wrp push --triangle=99999 2> err; scanwrap out.wrp | wc -l" FILES out.wrp OUT "^3\n")
+scan_cli_test(FailedRunKeepsItsSteps "scanwrap $DATA/plate_hole.xyz wrap push --triangle=99999 -o part.wrp 2> err; scanwrap part.wrp | wc -l" OUT "^2\n")
+scan_cli_test(SecondProgramReads "${plate} -o a.wrp; python3 -c 'import fcntl, os, struct, time; fcntl.fcntl(os.open(\"a.wrp\", os.O_RDWR), 37, struct.pack(\"hhqqi\", 1, 0, 1 << 62, 1, 0)); time.sleep(20)' & sleep 1; scanwrap a.wrp info; scanwrap a.wrp flatten 2>&1; echo status $?; kill $!; sleep 0.2; scanwrap a.wrp flatten 2>&1"
+  OUT "triangles +9908\n.*scanwrap: flatten: a.wrp: nothing can be saved: another program has it open; work on a copy: -o COPY.wrp\nstatus 1\nscanwrap: flatten: nothing changed")
+scan_cli_test(TemplateIsRun "${plate} -o a.wrp && scanwrap a.wrp history --save-template=t.txt && scanwrap $DATA/plate_hole.xyz --template=t.txt info" OUT "triangles +9908\n.*genus +1\n")
+scan_cli_test(TemplateThatIsNone "scanwrap $DATA/torus.xyz --template=$DATA/torus.xyz info" EXIT 2 ERR "line 1: is no template")
+scan_cli_test(BatchTellsTheTruth "cp $DATA/torus.xyz a.xyz; cp $DATA/helix.xyz b.xyz; echo 1 2 x > c.xyz; scanwrap --batch='*.xyz' wrap -o 'out_{name}.stl' --jobs=2 --progress=none"
+  EXIT 1 FILES out_a.stl out_b.stl ERR "see the table"
+  OUT "a.xyz +ok +[0-9.]+  10000 triangles\nb.xyz +ok .*c.xyz +failed +[0-9.]+  c.xyz: line 1: .*\n3 files: 2 ok, 1 failed\n")
+scan_cli_test(BatchResumes "cp $DATA/torus.xyz a.xyz; cp $DATA/helix.xyz b.xyz; scanwrap a.xyz wrap -o out_a.stl; scanwrap --batch='?.xyz' wrap -o 'out_{name}.stl' --resume --quiet && scanwrap --batch='{a,b}.xyz' wrap -o 'out_{name}.stl' --resume --quiet"
+  FILES out_a.stl out_b.stl OUT "a.xyz +done before +0.00  \nb.xyz +ok .*2 files: 2 done before\n")
+scan_cli_test(BatchOfAnalyses "cp $DATA/torus.xyz a.xyz; scanwrap --batch='*.xyz' wrap info --json=r.json && grep -c '\"result\": \"ok\"' r.json" OUT "a.xyz\npoints +5000\n.*1 files: 1 ok\n1\n")
+scan_cli_test(BatchIntoOneFile "cp $DATA/torus.xyz a.xyz; cp a.xyz b.xyz; scanwrap --batch='*.xyz' wrap -o out.stl" EXIT 2 ERR "{name}")
+scan_cli_test(BatchOfNothing "scanwrap --batch='*.xyz' wrap info" EXIT 2 ERR "no such file")
+scan_cli_test(BatchIsCancelled "for i in 1 2 3 4 5 6; do cp $DATA/multiview_scan.ply $i.ply; done; '${CMAKE_BINARY_DIR}/bin/scanwrap' --batch='?.ply' wrap -o 'o{name}.stl' --progress=none & sleep 0.5; kill -INT $!; wait $!"
+  EXIT 4 OUT "not started.*6 files: " ERR "--resume")
+
 # Wrong usage: refused before any work
 scan_cli_test(NoInput "scanwrap" EXIT 2 ERR "no input")
 scan_cli_test(MistypedVerb "scanwrap $DATA/torus.xyz wrpa -o out.stl" EXIT 2 ERR "did you mean 'wrap'")
