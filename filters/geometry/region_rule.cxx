@@ -343,11 +343,10 @@ RegionRule Parser::named(std::string_view name, std::size_t place)
   std::string expected;
   for (const auto& [other, rule] : this->Names)
   {
-    expected += (expected.empty() ? "a region there is (" : ", ") + other;
+    expected += (expected.empty() ? "a function or one of the regions " : ", ") + other;
   }
   this->failAt(place,
-    (expected.empty() ? "a function, for the model has no regions yet"
-                      : expected + ") or a function") +
+    (expected.empty() ? "a function, the model has no regions yet" : expected) +
       (name.find('-') != name.npos ? "; a minus sign has blanks around it" : ""));
 }
 

@@ -223,7 +223,7 @@ scan_cli_test(ReachBelowOne "scanwrap $DATA/torus.xyz wrap push --at=0,0,0 --rea
 scan_cli_test(SelectWithoutAName "scanwrap $DATA/torus.xyz select --rule=all -o out.ply" EXIT 2 ERR "select: --name=: expected a name")
 scan_cli_test(SelectWithoutARule "scanwrap $DATA/torus.xyz select --name=a -o out.ply" EXIT 2 ERR "select: --rule: expected what belongs")
 scan_cli_test(CropWithoutARegion "scanwrap $DATA/torus.xyz crop -o out.ply" EXIT 2 ERR "crop: --region: expected the name of a region")
-scan_cli_test(RegionThatIsNot "scanwrap $DATA/torus.xyz select --name=a --rule=all select --name=b --rule=none erase --region=c -o out.ply" EXIT 2 ERR "erase: region: character 1: expected a region there is .a, b. or a function, found 'c'")
+scan_cli_test(RegionThatIsNot "scanwrap $DATA/torus.xyz select --name=a --rule=all select --name=b --rule=none erase --region=c -o out.ply" EXIT 2 ERR "erase: region: character 1: expected a function or one of the regions a, b, found 'c'")
 scan_cli_test(MalformedRule "scanwrap $DATA/torus.xyz wrap --region='box(1,2' -o out.stl" EXIT 2 ERR "wrap: region: character 8: expected ',' of box")
 scan_cli_test(DeepRule "scanwrap $DATA/torus.xyz info --region=$(printf '(%.0s' {1..9999})" EXIT 2 ERR "expected fewer functions within each other")
 scan_cli_test(NegativeSize "scanwrap $DATA/torus.xyz wrap --size=-1 -o out.stl" EXIT 2 ERR "--size=-1: expected a length")

@@ -82,10 +82,10 @@ TEST(RegionRule, NamesStandForTheirWholeRule)
   EXPECT_EQ(canonical("near-wall & b2", names), "(all - none) & none");
   EXPECT_EQ(canonical("near-wall - b2", names), "all - none - none");
   EXPECT_EQ(errorOf("top & b2", names),
-    "region: character 1: expected a region there is (b2, near-wall) or a function, found "
+    "region: character 1: expected a function or one of the regions b2, near-wall, found "
     "'top & b2'");
   EXPECT_EQ(errorOf("top"),
-    "region: character 1: expected a function, for the model has no regions yet, found 'top'");
+    "region: character 1: expected a function, the model has no regions yet, found 'top'");
   EXPECT_NE(errorOf("b2-b2", names).find("a minus sign has blanks around it"), std::string::npos);
 }
 
