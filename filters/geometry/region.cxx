@@ -26,23 +26,9 @@ using Kind = RegionRule::Kind;
 constexpr std::size_t kGrain = 1 << 12;
 constexpr std::size_t kFineGrain = 1 << 8;
 
-Vec3 vectorAt(const std::vector<double>& numbers, std::size_t place)
-{
-  return { numbers[place], numbers[place + 1], numbers[place + 2] };
-}
-
 bool isBetween(double value, double a, double b)
 {
   return value >= std::min(a, b) && value <= std::max(a, b);
-}
-
-double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-  const Vec3 way = b - a;
-  const double length2 = dot(way, way);
-  const double share = length2 > 0.0 ? std::clamp(dot(p - a, way) / length2, 0.0, 1.0) : 0.0;
-  const Vec3 d = p - (a + way * share);
-  return dot(d, d);
 }
 
 /// Applies the nodes of a rule to one domain.
@@ -273,10 +259,11 @@ Flags Chooser::brush(const RegionRule& rule)
       {
         return false;
       }
-      double nearest = squaredDistance(p, stroke.front(), stroke.front());
+      const Vec3 d = p - stroke.front();
+      double nearest = dot(d, d);
       for (std::size_t i = 1; i < stroke.size() && nearest > most; ++i)
       {
-        nearest = squaredDistance(p, stroke[i - 1], stroke[i]);
+        nearest = squaredDistance(p, stroke[i - 1], stroke[i], stroke[i]);
       }
       return nearest <= most;
     });
@@ -380,7 +367,7 @@ Index Chooser::nearestTo(const Vec3& point)
     {
       const auto& [a, b, c] = this->Mesh.triangles[i];
       const std::vector<Vec3>& points = this->Mesh.points;
-      distance2 = scan::squaredDistance(point, points[a], points[b], points[c]);
+      distance2 = squaredDistance(point, points[a], points[b], points[c]);
     }
     if (distance2 < best)
     {

@@ -119,8 +119,8 @@ void RegionAdjacency::findNearest(const std::vector<Vec3>& places, Execution& ex
           return other == kNone ||
             dot(d, d) > kReach * kReach * std::min(spacing2[i], spacing2[other]);
         };
-        const auto gone = std::ranges::remove_if(this->NearTo[i], isFar);
-        std::ranges::fill(gone, kNone);
+        Nearest& near = this->NearTo[i];
+        std::fill(std::remove_if(near.begin(), near.end(), isFar), near.end(), kNone);
       }
     });
   this->NearFrom = Incidence(places.size(), places.size(),

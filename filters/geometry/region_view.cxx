@@ -13,11 +13,6 @@ namespace scan
 namespace
 {
 
-Vec3 vectorAt(const std::vector<double>& numbers, std::size_t place)
-{
-  return { numbers[place], numbers[place + 1], numbers[place + 2] };
-}
-
 double largest(const Vec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });

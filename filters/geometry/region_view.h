@@ -5,12 +5,19 @@
 #include "filters/geometry/mesh.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace scan
 {
+
+/// The vector that begins at a place among numbers.
+inline Vec3 vectorAt(std::span<const double> numbers, std::size_t place)
+{
+  return { numbers[place], numbers[place + 1], numbers[place + 2] };
+}
 
 /// How a rule of a region looks at the model, as it is written: a name and its numbers.
 struct RegionView

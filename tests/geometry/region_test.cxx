@@ -480,6 +480,13 @@ TEST(Region, MeanCurvatureOfCylinderPlaneAndTooFewPoints)
   }
   EXPECT_NEAR(meanCurvature({ 0, 2, 0 }, cylinder), 0.25, 0.005);
   EXPECT_NEAR(meanCurvature({ 0, 0, 0 }, plane), 0.0, 1e-9);
+  std::vector<Vec3> saddle; // z = x y / 2, from its corner
+  for (const Vec3& p : plane)
+  {
+    saddle.push_back({ p.x, p.y, 0.5 * p.x * p.y });
+  }
+  EXPECT_NEAR(meanCurvature({ 0.3, 0.3, 0.045 }, saddle),
+    0.5 * 0.15 * 0.15 / std::pow(1.0 + 2.0 * 0.15 * 0.15, 1.5), 0.001);
   EXPECT_TRUE(std::isnan(meanCurvature({ 0, 0, 0 }, std::span(plane).first(5))));
   EXPECT_TRUE(std::isnan(meanCurvature({ 1, 1, 1 }, std::vector<Vec3>(9, { 1, 1, 1 }))));
   EXPECT_NEAR(meanCurvature({ 0, 0, 0 },
@@ -551,7 +558,7 @@ TEST(Region, AFanOfManyTrianglesTakesNoLongerThanOthers)
     fan.points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
     fan.triangles.push_back({ 0, i + 1, i + 2 > kCount ? 1 : i + 2 });
   }
-  EXPECT_EQ(countOf(chosen("grow(triangles(7), 1)", fan)), kCount);
+  EXPECT_EQ(countOf(chosen("grow(plane(0,0,0, 1,0,0), 1)", fan)), kCount);
   EXPECT_EQ(countOf(chosen("curvature(0, 1)", fan)), kCount);
 }
 
