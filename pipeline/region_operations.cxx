@@ -24,7 +24,8 @@ Operation selectOperation()
       .help = "of the region: letters, digits, - and _; in place of an earlier one" },
     { .name = "rule",
       .defaultValue = "",
-      .help = "what belongs to it, such as 'sphere(0,0,0,5) & !box(0,0,0,1,1,1)'; see the manual" },
+      .help = "what belongs to it, such as 'sphere(0,0,0,5) & !box(0,0,0,1,1,1)'; see the manual",
+      .check = checkRegionRule },
   };
   row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
   {

@@ -155,7 +155,8 @@ RegionRule joined(Kind kind, RegionRule left, RegionRule right)
 class Parser
 {
 public:
-  Parser(std::string_view text, const RegionNames& names)
+  /// Without names any name may stand for a region.
+  Parser(std::string_view text, const RegionNames* names)
     : Text(text)
     , Names(names)
   {
@@ -235,7 +236,7 @@ private:
   void countPart(std::size_t more);
 
   std::string_view Text;
-  const RegionNames& Names;
+  const RegionNames* Names;
   std::size_t Place = 0;
   std::size_t Parts = 0;
   int Nesting = 0;
@@ -334,14 +335,18 @@ RegionRule Parser::named(std::string_view name, std::size_t place)
     }
     return this->call(*function);
   }
-  const auto known = this->Names.find(name);
-  if (known != this->Names.end())
+  if (this->Names == nullptr)
+  {
+    return {};
+  }
+  const auto known = this->Names->find(name);
+  if (known != this->Names->end())
   {
     this->countPart(partsOf(known->second));
     return known->second;
   }
   std::string expected;
-  for (const auto& [other, rule] : this->Names)
+  for (const auto& [other, rule] : *this->Names)
   {
     expected += (expected.empty() ? "a function or one of the regions " : ", ") + other;
   }
@@ -594,7 +599,12 @@ std::string textWithin(const RegionRule& rule, int binding)
 
 RegionRule parseRegionRule(std::string_view text, const RegionNames& names)
 {
-  return Parser(text, names).parse();
+  return Parser(text, &names).parse();
+}
+
+void checkRegionRule(std::string_view text)
+{
+  static_cast<void>(Parser(text, nullptr).parse());
 }
 
 std::string textOf(const RegionRule& rule)

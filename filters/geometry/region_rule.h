@@ -70,6 +70,10 @@ using RegionNames = std::map<std::string, RegionRule, std::less<>>;
 ///   expected there; also for more than 10,000 functions and operators, or 100 within each other
 RegionRule parseRegionRule(std::string_view text, const RegionNames& names = {});
 
+/// Checks a text for names that are not known yet.
+/// @throws Error as parseRegionRule(), but not for an unknown name
+void checkRegionRule(std::string_view text);
+
 /// The text that parseRegionRule() turns into the same rule; equal rules have equal texts.
 std::string textOf(const RegionRule& rule);
 

@@ -117,6 +117,8 @@ scan_cli_test(RecordOverInput "cp $DATA/torus.xyz in.xyz; scanwrap in.xyz --over
 scan_cli_test(OutputNameTooLong "scanwrap $DATA/torus.xyz wrap -o \"$(printf 'a%.0s' {1..252}).stl\"" EXIT 2 ERR "name too long.*choose another")
 scan_cli_test(OutputLinksInCircle "ln -s a.ply b.ply; ln -s b.ply a.ply; scanwrap $DATA/torus.xyz wrap -o a.ply" EXIT 2 ERR "symbolic links")
 scan_cli_test(NameWithLineFeed "scanwrap \"$(printf 'no\\nfile.xyz')\" wrap -o out.stl" EXIT 2 ERR "no.file.xyz")
+scan_cli_test(MalformedRule "scanwrap $DATA/torus.xyz -o out.ply wrap --region='box(1,2' -o out.stl" EXIT 2 ERR "^scanwrap: region: character 8: expected ',' of box")
+scan_cli_test(DeepRule "scanwrap $DATA/torus.xyz info --region=$(printf '(%.0s' {1..9999})" EXIT 2 ERR "expected fewer functions within each other")
 
 # Unreadable input
 scan_cli_test(MissingFile "scanwrap none.xyz wrap -o out.stl" EXIT 2 ERR "none.xyz.*No such file")
@@ -224,7 +226,5 @@ scan_cli_test(SelectWithoutAName "scanwrap $DATA/torus.xyz select --rule=all -o 
 scan_cli_test(SelectWithoutARule "scanwrap $DATA/torus.xyz select --name=a -o out.ply" EXIT 2 ERR "select: --rule: expected what belongs")
 scan_cli_test(CropWithoutARegion "scanwrap $DATA/torus.xyz crop -o out.ply" EXIT 2 ERR "crop: --region: expected the name of a region")
 scan_cli_test(RegionThatIsNot "scanwrap $DATA/torus.xyz select --name=a --rule=all select --name=b --rule=none erase --region=c -o out.ply" EXIT 2 ERR "erase: region: character 1: expected a function or one of the regions a, b, found 'c'")
-scan_cli_test(MalformedRule "scanwrap $DATA/torus.xyz wrap --region='box(1,2' -o out.stl" EXIT 2 ERR "wrap: region: character 8: expected ',' of box")
-scan_cli_test(DeepRule "scanwrap $DATA/torus.xyz info --region=$(printf '(%.0s' {1..9999})" EXIT 2 ERR "expected fewer functions within each other")
 scan_cli_test(NegativeSize "scanwrap $DATA/torus.xyz wrap --size=-1 -o out.stl" EXIT 2 ERR "--size=-1: expected a length")
 scan_cli_test(ShotAlongNothing "scanwrap $DATA/torus.xyz wrap shoot --at=0,0,2 --along=0,0,1e999 -o out.stl" EXIT 2 ERR "--along=0,0,1e999: expected")

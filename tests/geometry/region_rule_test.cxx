@@ -89,6 +89,12 @@ TEST(RegionRule, NamesStandForTheirWholeRule)
   EXPECT_NE(errorOf("b2-b2", names).find("a minus sign has blanks around it"), std::string::npos);
 }
 
+TEST(RegionRule, IsCheckedBeforeItsNamesAreKnown)
+{
+  EXPECT_NO_THROW(checkRegionRule("near & !grow(far, 2)"));
+  EXPECT_THROW(checkRegionRule("near & !grow(far)"), Error);
+}
+
 TEST(RegionRule, ErrorsTellThePlaceAndWhatIsExpected)
 {
   EXPECT_EQ(errorOf(""),
