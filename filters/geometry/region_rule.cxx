@@ -3,6 +3,7 @@
 #include "filters/geometry/region_rule.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/region_functions.h"
 
 #include <algorithm>
 #include <array>
@@ -21,92 +22,6 @@ constexpr std::size_t kMostParts = 10000;
 constexpr int kMostNesting = 100;
 constexpr double kMostCoordinate = 1e50; // as in files
 constexpr double kMostRings = 1e6;
-constexpr std::string_view kDeviation = "Deviation";
-
-/// A function: its arguments stand in the order of the fields.
-struct Function
-{
-  std::string_view form;
-  Kind kind;
-  bool view = false;
-  bool rule = false;
-  bool array = false;
-  bool radiusFirst = false;
-  std::size_t numbers = 0; ///< at least
-  std::size_t more = 0;    ///< how many more may follow, again and again
-  bool radiusLast = false;
-  enum class Values
-  {
-    coordinates,
-    range,
-    counts
-  } values = Values::coordinates;
-
-  std::string_view name() const { return this->form.substr(0, this->form.find('(')); }
-};
-
-constexpr std::array<Function, 18> kFunctions{ {
-  { .form = "all", .kind = Kind::all },
-  { .form = "none", .kind = Kind::none },
-  { .form = "box(x,y,z, x,y,z)", .kind = Kind::box, .numbers = 6 },
-  { .form = "sphere(x,y,z, r)", .kind = Kind::sphere, .numbers = 3, .radiusLast = true },
-  { .form = "plane(x,y,z, nx,ny,nz)", .kind = Kind::plane, .numbers = 6 },
-  { .form = "brush(r, x,y,z, ...)",
-    .kind = Kind::brush,
-    .radiusFirst = true,
-    .numbers = 3,
-    .more = 3 },
-  { .form = "rectangle(VIEW, x,y, x,y)", .kind = Kind::rectangle, .view = true, .numbers = 4 },
-  { .form = "polygon(VIEW, x,y, x,y, x,y, ...)",
-    .kind = Kind::polygon,
-    .view = true,
-    .numbers = 6,
-    .more = 2 },
-  { .form = "depth(VIEW, x,y,z)", .kind = Kind::depth, .view = true, .numbers = 3 },
-  { .form = "component(x,y,z)", .kind = Kind::componentAt, .numbers = 3 },
-  { .form = "component(RULE)", .kind = Kind::componentOf, .rule = true },
-  { .form = "curvature(min, max)",
-    .kind = Kind::curvature,
-    .numbers = 2,
-    .values = Function::Values::range },
-  { .form = "deviation(min, max)",
-    .kind = Kind::array,
-    .numbers = 2,
-    .values = Function::Values::range },
-  { .form = "array(NAME, min, max)",
-    .kind = Kind::array,
-    .array = true,
-    .numbers = 2,
-    .values = Function::Values::range },
-  { .form = "grow(RULE, n)",
-    .kind = Kind::grow,
-    .rule = true,
-    .numbers = 1,
-    .values = Function::Values::counts },
-  { .form = "shrink(RULE, n)",
-    .kind = Kind::shrink,
-    .rule = true,
-    .numbers = 1,
-    .values = Function::Values::counts },
-  { .form = "points(i, ...)",
-    .kind = Kind::points,
-    .numbers = 1,
-    .more = 1,
-    .values = Function::Values::counts },
-  { .form = "triangles(i, ...)",
-    .kind = Kind::triangles,
-    .numbers = 1,
-    .more = 1,
-    .values = Function::Values::counts },
-} };
-
-struct Operator
-{
-  char symbol;
-  Kind kind;
-};
-constexpr std::array<Operator, 3> kOperators{ { { '&', Kind::both }, { '+', Kind::either },
-  { '-', Kind::without } } };
 
 bool isLetter(char c)
 {
@@ -215,7 +130,7 @@ private:
     this->fail(expected);
   }
 
-  void require(char symbol, const Function& function)
+  void require(char symbol, const RegionFunction& function)
   {
     if (!this->take(symbol))
     {
@@ -227,12 +142,12 @@ private:
   RegionRule product();
   RegionRule operand();
   RegionRule named(std::string_view name, std::size_t place);
-  RegionRule call(const Function& function);
-  void values(const Function& function, RegionRule& rule);
+  RegionRule call(const RegionFunction& function);
+  void values(const RegionFunction& function, RegionRule& rule);
   std::string_view word();
-  double number(const Function& function);
-  Length radius(const Function& function);
-  RegionView view(const Function& function);
+  double number(const RegionFunction& function);
+  Length radius(const RegionFunction& function);
+  RegionView view(const RegionFunction& function);
   void countPart(std::size_t more);
 
   std::string_view Text;
@@ -254,11 +169,10 @@ void Parser::countPart(std::size_t more)
 RegionRule Parser::sum()
 {
   RegionRule rule = this->product();
-  while (this->next() == '+' || this->next() == '-')
+  for (char symbol = this->next(); symbol == '+' || symbol == '-'; symbol = this->next())
   {
-    const Kind kind = this->take('+') ? Kind::either : Kind::without;
-    this->Place += kind == Kind::without ? 1 : 0;
-    rule = joined(kind, std::move(rule), this->product());
+    ++this->Place;
+    rule = joined(symbol == '+' ? Kind::either : Kind::without, std::move(rule), this->product());
   }
   return rule;
 }
@@ -323,8 +237,8 @@ std::string_view Parser::word()
 
 RegionRule Parser::named(std::string_view name, std::size_t place)
 {
-  const auto* function = std::ranges::find(kFunctions, name, &Function::name);
-  if (function != kFunctions.end())
+  const auto* function = std::ranges::find(kRegionFunctions, name, &RegionFunction::name);
+  if (function != kRegionFunctions.end())
   {
     if (function->kind == Kind::componentAt && this->next() == '(')
     {
@@ -355,7 +269,7 @@ RegionRule Parser::named(std::string_view name, std::size_t place)
       (name.find('-') != name.npos ? "; a minus sign has blanks around it" : ""));
 }
 
-RegionRule Parser::call(const Function& function)
+RegionRule Parser::call(const RegionFunction& function)
 {
   RegionRule rule;
   rule.kind = function.kind;
@@ -364,44 +278,45 @@ RegionRule Parser::call(const Function& function)
     return rule;
   }
   this->require('(', function);
-  if (function.view)
+  bool isFirst = true;
+  const auto begin = [&](bool isArgument)
+  {
+    if (isArgument && !isFirst)
+    {
+      this->require(',', function);
+    }
+    isFirst = isFirst && !isArgument;
+    return isArgument;
+  };
+  if (begin(function.view))
   {
     rule.view = this->view(function);
-    this->require(',', function);
   }
-  if (function.rule)
+  if (begin(function.rule))
   {
     rule.parts.push_back(this->sum());
   }
-  if (function.array)
+  if (function.kind == Kind::array)
   {
-    rule.array = this->word();
-    this->require(',', function);
+    rule.array = begin(function.array) ? this->word() : kDeviation;
   }
-  else if (function.kind == Kind::array)
-  {
-    rule.array = kDeviation;
-  }
-  if (function.radiusFirst)
+  if (begin(function.radiusFirst))
   {
     rule.radius = this->radius(function);
-    this->require(',', function);
   }
-  if (function.rule && function.numbers > 0)
+  if (begin(function.numbers > 0))
   {
-    this->require(',', function);
+    this->values(function, rule);
   }
-  this->values(function, rule);
-  if (function.radiusLast)
+  if (begin(function.radiusLast))
   {
-    this->require(',', function);
     rule.radius = this->radius(function);
   }
   this->require(')', function);
   return rule;
 }
 
-void Parser::values(const Function& function, RegionRule& rule)
+void Parser::values(const RegionFunction& function, RegionRule& rule)
 {
   for (std::size_t i = 0; i < function.numbers; ++i)
   {
@@ -420,7 +335,7 @@ void Parser::values(const Function& function, RegionRule& rule)
     }
   }
   const std::vector<double>& v = rule.numbers;
-  if (function.values == Function::Values::range && v[0] > v[1])
+  if (function.values == RegionFunction::Values::range && v[0] > v[1])
   {
     this->fail("in " + std::string(function.form) + " a min that is not above max");
   }
@@ -430,7 +345,7 @@ void Parser::values(const Function& function, RegionRule& rule)
   }
 }
 
-double Parser::number(const Function& function)
+double Parser::number(const RegionFunction& function)
 {
   this->next();
   const std::size_t place = this->Place;
@@ -438,13 +353,13 @@ double Parser::number(const Function& function)
   const auto [end, status] =
     std::from_chars(this->Text.data() + place, this->Text.data() + this->Text.size(), value);
   this->Place = static_cast<std::size_t>(end - this->Text.data());
-  const bool isCount = function.values == Function::Values::counts;
+  const bool isCount = function.values == RegionFunction::Values::counts;
   const double most = !isCount ? kMostCoordinate
     : function.rule            ? kMostRings
                                : static_cast<double>(kNone) - 1.0;
-  const bool isInRange = isCount
-    ? value >= 0.0 && value <= most && value == std::floor(value)
-    : std::abs(value) <= most || (function.values == Function::Values::range && std::isinf(value));
+  const bool isInRange = isCount ? value >= 0.0 && value <= most && value == std::floor(value)
+                                 : std::abs(value) <= most ||
+      (function.values == RegionFunction::Values::range && std::isinf(value));
   if (status != std::errc() || !isInRange)
   {
     this->failAt(place,
@@ -454,7 +369,7 @@ double Parser::number(const Function& function)
   return value;
 }
 
-Length Parser::radius(const Function& function)
+Length Parser::radius(const RegionFunction& function)
 {
   this->next();
   const std::size_t place = this->Place;
@@ -475,7 +390,7 @@ Length Parser::radius(const Function& function)
   return length;
 }
 
-RegionView Parser::view(const Function& function)
+RegionView Parser::view(const RegionFunction& function)
 {
   constexpr const char* kViews = "a view (front, back, left, right, top, bottom, "
                                  "from(ex,ey,ez, ax,ay,az, ux,uy,uz), along(dx,dy,dz, ux,uy,uz))";
@@ -508,93 +423,6 @@ RegionView Parser::view(const Function& function)
   return view;
 }
 
-void appendNumbers(std::string& text, const std::vector<double>& numbers)
-{
-  for (const double number : numbers)
-  {
-    std::array<char, 32> digits{};
-    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    text += text.back() == '(' ? "" : ",";
-    text.append(digits.data(), result.ptr);
-  }
-}
-
-/// What stands around an operand: 0 for a sum, 1 for a factor, 2 behind !.
-std::string textWithin(const RegionRule& rule, int binding);
-
-std::string textOfOperator(const RegionRule& rule, char symbol, int binding)
-{
-  const int own = symbol == '&' ? 1 : 0;
-  std::string text;
-  for (const RegionRule& part : rule.parts)
-  {
-    const bool isFirst = text.empty();
-    text += isFirst ? "" : std::string{ ' ', symbol, ' ' };
-    text += textWithin(part, isFirst ? own : own + 1);
-  }
-  return binding > own ? std::string("(").append(text).append(")") : text;
-}
-
-std::string textOfCall(const RegionRule& rule, const Function& function)
-{
-  std::string text(function.name());
-  if (function.form == function.name())
-  {
-    return text;
-  }
-  text += "(";
-  const auto append = [&](const std::string& argument)
-  { text.append(text.back() == '(' ? "" : ",").append(argument); };
-  if (function.view)
-  {
-    text += rule.view.name;
-    if (!rule.view.numbers.empty())
-    {
-      text += "(";
-      appendNumbers(text, rule.view.numbers);
-      text += ")";
-    }
-  }
-  if (function.rule)
-  {
-    append(textWithin(rule.parts.front(), 0));
-  }
-  if (function.array)
-  {
-    append(rule.array);
-  }
-  if (function.radiusFirst)
-  {
-    append(rule.radius.text());
-  }
-  appendNumbers(text, rule.numbers);
-  if (function.radiusLast)
-  {
-    append(rule.radius.text());
-  }
-  return text.append(")");
-}
-
-std::string textWithin(const RegionRule& rule, int binding)
-{
-  if (rule.kind == Kind::opposite)
-  {
-    return std::string("!").append(textWithin(rule.parts.front(), 2));
-  }
-  const auto* const symbol = std::ranges::find(kOperators, rule.kind, &Operator::kind);
-  if (symbol != kOperators.end())
-  {
-    return textOfOperator(rule, symbol->symbol, binding);
-  }
-  const bool isDeviation = rule.kind == Kind::array && rule.array == kDeviation;
-  const auto* const function = isDeviation
-    ? std::ranges::find(kFunctions, "deviation", &Function::name)
-    : std::ranges::find_if(kFunctions,
-        [&](const Function& f)
-        { return f.kind == rule.kind && (f.kind != Kind::array || f.array); });
-  return textOfCall(rule, *function);
-}
-
 } // namespace
 
 RegionRule parseRegionRule(std::string_view text, const RegionNames& names)
@@ -607,15 +435,10 @@ void checkRegionRule(std::string_view text)
   static_cast<void>(Parser(text, nullptr).parse());
 }
 
-std::string textOf(const RegionRule& rule)
-{
-  return textWithin(rule, 0);
-}
-
 bool isRegionName(std::string_view name)
 {
   return !name.empty() && isLetter(name.front()) && std::ranges::all_of(name, isOfName) &&
-    std::ranges::find(kFunctions, name, &Function::name) == kFunctions.end();
+    std::ranges::find(kRegionFunctions, name, &RegionFunction::name) == kRegionFunctions.end();
 }
 
 } // namespace scan
