@@ -44,6 +44,22 @@ struct Places
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Places>,
   Places, 3, std::size_t>;
 
+/// Adds the corners of triangles that are not there, as long as there are few.
+void addCorners(const TriMesh& mesh, std::span<const Index> triangles, std::vector<Index>& found)
+{
+  constexpr std::size_t kMost = 65;
+  for (std::size_t i = 0; i < triangles.size() && found.size() + 3 <= kMost; ++i)
+  {
+    for (const Index corner : mesh.triangles[triangles[i]])
+    {
+      if (std::ranges::find(found, corner) == found.end())
+      {
+        found.push_back(corner);
+      }
+    }
+  }
+}
+
 } // namespace
 
 RegionAdjacency::RegionAdjacency(const TriMesh& mesh, RegionElements elements, Execution& execution)
@@ -292,40 +308,22 @@ std::vector<Index> RegionAdjacency::parts(Execution& execution) const
 std::vector<Index> RegionAdjacency::around(Index point) const
 {
   constexpr std::size_t kEnough = 12;
-  constexpr std::size_t kMost = 64;
   std::vector<Index> found{ point };
-  if (this->isScan())
-  {
-    for (const Index place : this->NearTo[this->PlaceOf[point]])
-    {
-      if (place != kNone)
-      {
-        found.push_back(this->AtPlace.of(place).front());
-      }
-    }
-  }
-  else
+  if (!this->isScan())
   {
     for (std::size_t begin = 0; begin < found.size() && found.size() <= kEnough;)
     {
       for (const std::size_t end = found.size(); begin < end; ++begin)
       {
-        for (const Index triangle : this->AtPoint.of(found[begin]))
-        {
-          for (const Index corner : this->Mesh.triangles[triangle])
-          {
-            if (found.size() <= kMost && std::ranges::find(found, corner) == found.end())
-            {
-              found.push_back(corner);
-            }
-          }
-          if (found.size() > kMost)
-          {
-            break;
-          }
-        }
+        addCorners(this->Mesh, this->AtPoint.of(found[begin]), found);
       }
     }
+  }
+  else
+  {
+    const Nearest& near = this->NearTo[this->PlaceOf[point]];
+    std::for_each(near.begin(), std::ranges::find(near, kNone),
+      [&](Index place) { found.push_back(this->AtPlace.of(place).front()); });
   }
   found.erase(found.begin());
   return found;
