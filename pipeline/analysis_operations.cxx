@@ -90,8 +90,13 @@ Operation infoOperation()
   row.stage = Stage::analysis;
   row.help = "Measure the model: counts, size, holes, components, area, volume";
   row.example = "scanwrap part.stl info --json=part.json";
-  row.make = [](const ParameterValues&) -> vtkSmartPointer<vtkAlgorithm>
-  { return vtkSmartPointer<vtkScanInfoFilter>::New(); };
+  row.parameters = { regionParameter() };
+  row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
+  {
+    const auto filter = vtkSmartPointer<vtkScanInfoFilter>::New();
+    filter->SetRegion(valueOf<std::string>(values, "region"));
+    return filter;
+  };
   row.results = infoResults;
   return row;
 }
@@ -124,6 +129,7 @@ Operation renderOperation()
       .defaultValue = "z",
       .help = "the axis that points up",
       .choices = { "z", "y" } },
+    regionParameter(),
     { .name = "perspective",
       .defaultValue = true,
       .help = "as through a lens, else a parallel projection" },
@@ -148,6 +154,7 @@ Operation renderOperation()
     filter->SetView(static_cast<vtkScanRenderFilter::ViewType>(choiceOf(values, "view", kViews)));
     filter->SetUp(valueOf<std::string>(values, "up") == "y" ? vtkScanRenderFilter::Y_UP
                                                             : vtkScanRenderFilter::Z_UP);
+    filter->SetRegion(valueOf<std::string>(values, "region"));
     filter->SetPerspective(valueOf<bool>(values, "perspective"));
     filter->SetEdges(valueOf<bool>(values, "edges"));
     filter->SetColor(valueOf<std::string>(values, "color"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/geometry/region_rule.h"
 #include "pipeline/operation_table.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace scan
 
 // The rows of the operation table, by stage, and what they are written with.
 
+std::vector<Operation> regionOperations();
 std::vector<Operation> wrapOperations();
 std::vector<Operation> analysisOperations();
 
@@ -23,7 +25,8 @@ inline Parameter regionParameter()
 {
   return { .name = "region",
     .defaultValue = "",
-    .help = "only there: the name of a region, or a rule such as sphere(0,0,0,5); see select" };
+    .help = "only there: the name of a region, or a rule such as sphere(0,0,0,5); see select",
+    .check = checkRegionRule };
 }
 
 /// The value of a parameter that completeValues() has made sure is there.

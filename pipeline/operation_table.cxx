@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace scan
 {
@@ -23,6 +24,7 @@ const std::vector<Operation>& operationTable()
   static const std::vector<Operation> kTable = []
   {
     std::vector<Operation> table = wrapOperations();
+    std::ranges::copy(regionOperations(), std::inserter(table, table.begin()));
     const std::vector<Operation> analysis = analysisOperations();
     table.insert(table.end(), analysis.begin(), analysis.end());
     return table;

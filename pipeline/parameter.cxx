@@ -274,6 +274,11 @@ void checkValue(const Parameter& parameter, const ParameterValue& value)
   {
     refuse(parameter, textOf(value));
   }
+  const auto* const text = std::get_if<std::string>(&value);
+  if (parameter.check != nullptr && text != nullptr && !text->empty())
+  {
+    parameter.check(*text);
+  }
 }
 
 ParameterValues completeValues(

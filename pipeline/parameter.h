@@ -38,7 +38,8 @@ struct Parameter
   std::string help;            ///< one line
   double minimum = std::numeric_limits<double>::lowest(); ///< of integers, reals and lengths
   double maximum = std::numeric_limits<double>::max();
-  std::vector<std::string> choices = {}; ///< of texts; empty: any text
+  std::vector<std::string> choices = {};     ///< of texts; empty: any text
+  void (*check)(std::string_view) = nullptr; ///< of texts that are not empty; throws Error
 };
 
 /// The parameters of one run by name; those not named have their defaults.

@@ -81,6 +81,7 @@ Operation wrapOperation()
       .defaultValue = Length(),
       .help = "classic mode: open what is reached through doors wider than this radius; 0: nothing",
       .minimum = 0 },
+    regionParameter(),
     kManifold,
   };
   row.make = [](const ParameterValues& values) -> vtkSmartPointer<vtkAlgorithm>
@@ -91,6 +92,7 @@ Operation wrapOperation()
     filter->SetFit(valueOf<std::string>(values, "fit") == "robust" ? vtkScanWrapFilter::ROBUST
                                                                    : vtkScanWrapFilter::ALL);
     filter->SetSize(valueOf<Length>(values, "size"));
+    filter->SetRegion(valueOf<std::string>(values, "region"));
     filter->SetManifold(valueOf<bool>(values, "manifold"));
     return filter;
   };
@@ -129,6 +131,7 @@ std::vector<Parameter> markParameters()
       .defaultValue = Length(),
       .help = "at all triangles that come this near to the points; 0: the nearest one",
       .minimum = 0 },
+    regionParameter(),
   };
 }
 
@@ -166,6 +169,7 @@ void setMarks(vtkScanWrapEditFilter& filter, const ParameterValues& values)
     filter.AddTriangle(triangle);
   }
   filter.SetWithin(valueOf<Length>(values, "within"));
+  filter.SetRegion(valueOf<std::string>(values, "region"));
 }
 
 void setBlocks(vtkScanBlockEditFilter& filter, const ParameterValues& values)

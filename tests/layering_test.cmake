@@ -19,8 +19,8 @@ set(layers
 # The VTK shells; everything else below filters, readers, writers and device is free of VTK
 set(shells "(^|/)vtkScan[^/]*$|^filters/analysis/|^filters/points/|^filters/surface/|^filters/wrap/")
 set(vtk_free "^(filters|readers|writers|device)/")
-# The bridge of the base layer knows the meshes of the next one
-set(bridge "^filters/base/vtkScanMeshBridge\\.(h|cxx)$")
+# The bridge of the base layer knows the meshes and regions of the next one
+set(bridge "^filters/base/vtkScan(MeshBridge|Regions)\\.(h|cxx)$")
 
 # The rule that FILE breaks by INCLUDE, or an empty string
 function(find_breach file include result)

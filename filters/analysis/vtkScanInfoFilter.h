@@ -10,7 +10,8 @@
 #include <vector>
 
 /// Measures a model and passes it on unchanged: unit, files, counts, box, holes, components, genus,
-/// area, volume, edge lengths. Works on points without triangles, too.
+/// area, volume, edge lengths. Works on points without triangles, too. With a region it measures
+/// that part: triangles of a surface, points of a scan.
 class SCANFILTERS_EXPORT vtkScanInfoFilter : public vtkScanPolyDataFilter
 {
 public:

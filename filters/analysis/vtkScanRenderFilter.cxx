@@ -5,7 +5,9 @@
 #include "filters/analysis/offscreen_window.h"
 #include "filters/analysis/picture_scene.h"
 #include "filters/base/vtkScanMeshBridge.h"
+#include "filters/base/vtkScanRegions.h"
 #include "filters/geometry/spacing.h"
+#include "filters/geometry/view_sides.h"
 
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
@@ -90,24 +92,12 @@ Model modelOf(vtkPolyData& data)
 /// Direction to the camera and up, for models that stand on the xy plane.
 scan::ViewOptions directionsOf(vtkScanRenderFilter::ViewType view)
 {
-  switch (view)
+  if (view == vtkScanRenderFilter::ISO)
   {
-    case vtkScanRenderFilter::FRONT:
-      return { .towards = { 0, -1, 0 }, .up = { 0, 0, 1 } };
-    case vtkScanRenderFilter::BACK:
-      return { .towards = { 0, 1, 0 }, .up = { 0, 0, 1 } };
-    case vtkScanRenderFilter::LEFT:
-      return { .towards = { -1, 0, 0 }, .up = { 0, 0, 1 } };
-    case vtkScanRenderFilter::RIGHT:
-      return { .towards = { 1, 0, 0 }, .up = { 0, 0, 1 } };
-    case vtkScanRenderFilter::TOP:
-      return { .towards = { 0, 0, 1 }, .up = { 0, 1, 0 } };
-    case vtkScanRenderFilter::BOTTOM:
-      return { .towards = { 0, 0, -1 }, .up = { 0, -1, 0 } };
-    case vtkScanRenderFilter::ISO:
-      break;
+    return { .towards = { 0.75, -1.0, 0.65 }, .up = { 0, 0, 1 } };
   }
-  return { .towards = { 0.75, -1.0, 0.65 }, .up = { 0, 0, 1 } };
+  const scan::ViewSide& side = scan::kViewSides.at(view - vtkScanRenderFilter::FRONT);
+  return { .towards = side.towards, .up = side.up };
 }
 
 /// The same direction for models that stand on the zx plane.
@@ -164,6 +154,7 @@ void vtkScanRenderFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Height: " << this->Height << "\n";
   os << indent << "View: " << kViews[this->View] << "\n";
   os << indent << "Up: " << (this->Up == Y_UP ? "y" : "z") << "\n";
+  os << indent << "Region: " << this->Region << "\n";
   os << indent << "Perspective: " << (this->Perspective ? "true" : "false") << "\n";
   os << indent << "Edges: " << (this->Edges ? "true" : "false") << "\n";
   os << indent << "Color: " << this->Color << "\n";
@@ -207,7 +198,7 @@ void vtkScanRenderFilter::Render(
   }
   execution.plan({ { "prepare", 1.0 }, { "shade", 3.0 }, { "draw", 2.0 } });
   execution.step("prepare", 0, 1);
-  const Model model = modelOf(input);
+  const Model model = modelOf(*scan::bridge::partOf(input, this->Region, execution));
 
   scan::ViewOptions view = directionsOf(this->View);
   view.aspect = static_cast<double>(this->Width) / this->Height;

@@ -40,8 +40,8 @@ public:
 
   enum ViewType
   {
-    ISO, ///< from the right, the front and above (default)
-    FRONT,
+    ISO,   ///< from the right, the front and above (default)
+    FRONT, ///< and on: scan::kViewSides
     BACK,
     LEFT,
     RIGHT,
@@ -58,6 +58,10 @@ public:
   };
   vtkSetEnumMacro(Up, UpType);
   vtkGetEnumMacro(Up, UpType);
+
+  /// The part to show, as in vtkScanPolyDataFilter. Default: empty, all.
+  vtkSetMacro(Region, std::string);
+  vtkGetMacro(Region, std::string);
 
   /// Perspective of a lens of 25 degrees, or a parallel projection. Default: true.
   vtkSetMacro(Perspective, bool);
@@ -99,6 +103,7 @@ private:
   int Height = 900;
   ViewType View = ISO;
   UpType Up = Z_UP;
+  std::string Region;
   bool Perspective = true;
   bool Edges = false;
   std::string Color;

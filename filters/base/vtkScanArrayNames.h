@@ -23,6 +23,11 @@ inline constexpr const char* kMillimetresPerUnit = "MillimetresPerUnit";
 inline constexpr const char* kScanFileNames = "ScanFileNames";
 inline constexpr const char* kScanFileEnds = "ScanFileEnds";
 
+/// Field data: the names of the regions that the model carries and their rules as text, two
+/// vtkStringArrays.
+inline constexpr const char* kRegionNames = "RegionNames";
+inline constexpr const char* kRegionRules = "RegionRules";
+
 /// Cell and field data of wraps: see vtkScanWrapData.
 inline constexpr const char* kBlock = "Block";
 inline constexpr const char* kBlockSize = "BlockSize";

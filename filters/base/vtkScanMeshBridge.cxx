@@ -234,6 +234,36 @@ void copyData(vtkDataSetAttributes& from, vtkIdList& ids, vtkDataSetAttributes& 
   to.CopyData(&from, &ids, places);
 }
 
+/// Gives `output` the points of `input` that are kept, with their data and scan-point ids.
+/// @return per point of `input` its new number, -1 where it is gone
+std::vector<vtkIdType> copyPoints(
+  vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output)
+{
+  output.Initialize();
+  vtkNew<vtkIdList> points;
+  std::vector<vtkIdType> numbers(isKept.size(), -1);
+  for (std::size_t i = 0; i < isKept.size(); ++i)
+  {
+    if (isKept[i] != 0)
+    {
+      numbers[i] = points->InsertNextId(static_cast<vtkIdType>(i));
+    }
+  }
+  const std::vector<Vec3> all = pointsOf(input);
+  const std::vector<vtkIdType> allIds = scanPointIdsOf(input);
+  std::vector<Vec3> positions;
+  std::vector<vtkIdType> ids;
+  for (const vtkIdType point : *points)
+  {
+    positions.push_back(all[static_cast<std::size_t>(point)]);
+    ids.push_back(allIds[static_cast<std::size_t>(point)]);
+  }
+  setPoints(output, positions);
+  copyData(*input.GetPointData(), *points, *output.GetPointData());
+  setScanPointIds(output, ids);
+  return numbers;
+}
+
 } // namespace
 
 std::vector<Vec3> pointsOf(vtkPolyData& data)
@@ -307,6 +337,11 @@ TriMesh meshOf(vtkPolyData& data, std::vector<vtkIdType>* cells)
       endCell();
     });
   return mesh;
+}
+
+bool hasTriangles(vtkPolyData& data)
+{
+  return data.GetNumberOfPolys() > 0 || data.GetNumberOfStrips() > 0;
 }
 
 std::vector<Segment> segmentsOf(vtkPolyData& data)
@@ -409,29 +444,7 @@ void setModel(vtkPolyData& output, const Model& model)
 
 void keepPoints(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output)
 {
-  output.Initialize();
-  vtkNew<vtkIdList> points;
-  std::vector<vtkIdType> numbers(isKept.size(), -1);
-  for (std::size_t i = 0; i < isKept.size(); ++i)
-  {
-    if (isKept[i] != 0)
-    {
-      numbers[i] = points->InsertNextId(static_cast<vtkIdType>(i));
-    }
-  }
-  const std::vector<Vec3> all = pointsOf(input);
-  const std::vector<vtkIdType> allIds = scanPointIdsOf(input);
-  std::vector<Vec3> positions;
-  std::vector<vtkIdType> ids;
-  for (const vtkIdType point : *points)
-  {
-    positions.push_back(all[static_cast<std::size_t>(point)]);
-    ids.push_back(allIds[static_cast<std::size_t>(point)]);
-  }
-  setPoints(output, positions);
-  copyData(*input.GetPointData(), *points, *output.GetPointData());
-  setScanPointIds(output, ids);
-
+  const std::vector<vtkIdType> numbers = copyPoints(input, isKept, output);
   vtkNew<vtkIdList> cells;
   vtkIdType first = input.GetNumberOfVerts();
   output.SetLines(keptCells(*input.GetLines(), numbers, first, *cells));
@@ -441,9 +454,38 @@ void keepPoints(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPol
   output.SetStrips(keptCells(*input.GetStrips(), numbers, first, *cells));
   if (cells->GetNumberOfIds() == 0)
   {
-    output.SetVerts(vertexPerPoint(positions.size()));
+    output.SetVerts(vertexPerPoint(static_cast<std::size_t>(output.GetNumberOfPoints())));
     return;
   }
+  copyData(*input.GetCellData(), *cells, *output.GetCellData());
+}
+
+void keepTriangles(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output)
+{
+  std::vector<vtkIdType> cellOf;
+  const TriMesh mesh = meshOf(input, &cellOf);
+  std::vector<std::uint8_t> isUsed(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < isKept.size(); ++t)
+  {
+    for (const Index corner : mesh.triangles[t])
+    {
+      isUsed[corner] |= isKept[t];
+    }
+  }
+  const std::vector<vtkIdType> numbers = copyPoints(input, isUsed, output);
+  vtkNew<vtkIdList> cells;
+  output.SetLines(keptCells(*input.GetLines(), numbers, input.GetNumberOfVerts(), *cells));
+  std::vector<Triangle> triangles;
+  for (std::size_t t = 0; t < isKept.size(); ++t)
+  {
+    if (isKept[t] != 0)
+    {
+      const auto& [a, b, c] = mesh.triangles[t];
+      triangles.push_back(triangleOf(numbers[a], numbers[b], numbers[c]));
+      cells->InsertNextId(cellOf[t]);
+    }
+  }
+  output.SetPolys(cellsOf<3>(triangles, mesh.points.size()));
   copyData(*input.GetCellData(), *cells, *output.GetCellData());
 }
 
@@ -463,11 +505,11 @@ void setUnit(vtkDataObject& data, double millimetres)
 
 void passOrigin(vtkDataObject& input, vtkDataObject& output)
 {
-  for (const char* const name :
-    { arrays::kMillimetresPerUnit, arrays::kScanFileNames, arrays::kScanFileEnds })
+  for (const char* const name : { arrays::kMillimetresPerUnit, arrays::kScanFileNames,
+         arrays::kScanFileEnds, arrays::kRegionNames, arrays::kRegionRules })
   {
     vtkAbstractArray* const array = input.GetFieldData()->GetAbstractArray(name);
-    if (array != nullptr)
+    if (array != nullptr && output.GetFieldData()->HasArray(name) == 0)
     {
       output.GetFieldData()->AddArray(array);
     }

@@ -30,6 +30,9 @@ std::vector<Vec3> pointsOf(vtkPolyData& data);
 /// @param cells if given, what becomes the cell of each triangle
 TriMesh meshOf(vtkPolyData& data, std::vector<vtkIdType>* cells = nullptr);
 
+/// Whether meshOf() finds triangles: a surface, else points.
+bool hasTriangles(vtkPolyData& data);
+
 /// The lines of `data` as segments.
 /// @throws Error{badInput} when a line names a point that is not there
 std::vector<Segment> segmentsOf(vtkPolyData& data);
@@ -54,14 +57,21 @@ void setModel(vtkPolyData& output, const Model& model);
 /// @throws Error{badInput} when a cell names a point that is not there
 void keepPoints(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output);
 
+/// Makes `output` the part of `input` on the triangles of meshOf() that are kept: these triangles
+/// with the data of their cells, the points that they use in their order, with their data and
+/// scan-point ids, and the lines that have no other points.
+/// @param isKept per triangle 0 or 1
+/// @throws Error as meshOf(), also for lines
+void keepTriangles(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output);
+
 /// The unit of the coordinates of `data` in millimetres; 0 when it has none.
 double unitOf(vtkDataObject& data);
 
 /// Gives `data` a unit.
 void setUnit(vtkDataObject& data, double millimetres);
 
-/// Gives `output` what `input` says about itself and points do not tell: the unit and the files
-/// that it comes from.
+/// Gives `output` what `input` says about itself and points do not tell, where `output` does not
+/// say it: the unit, the files that it comes from and its regions.
 void passOrigin(vtkDataObject& input, vtkDataObject& output);
 
 /// The scan-point id of every point of `data`: its ScanPointId array, else 0, 1, 2, ...

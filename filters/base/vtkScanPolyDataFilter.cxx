@@ -3,6 +3,7 @@
 #include "filters/base/vtkScanPolyDataFilter.h"
 
 #include "filters/base/vtkScanMeshBridge.h"
+#include "filters/base/vtkScanRegions.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
@@ -15,23 +16,17 @@ vtkSmartPointer<vtkPolyData> vtkScanPolyDataFilter::NewOutput(vtkPolyData*)
 }
 
 std::vector<std::uint8_t> vtkScanPolyDataFilter::PointsInRegion(
-  vtkPolyData& input, scan::Execution&) const
+  vtkPolyData& input, scan::Execution& execution) const
 {
-  if (!this->Region.empty())
-  {
-    throw scan::Error(scan::ErrorCode::badParameter, "there is no region " + this->Region);
-  }
-  return std::vector<std::uint8_t>(static_cast<std::size_t>(input.GetNumberOfPoints()), 1);
+  return scan::bridge::pointsInRegion(
+    input, this->Region.empty() ? "all" : this->Region, execution);
 }
 
 std::vector<std::uint8_t> vtkScanPolyDataFilter::TrianglesInRegion(
-  vtkPolyData& input, scan::Execution&) const
+  vtkPolyData& input, scan::Execution& execution) const
 {
-  if (!this->Region.empty())
-  {
-    throw scan::Error(scan::ErrorCode::badParameter, "there is no region " + this->Region);
-  }
-  return std::vector<std::uint8_t>(scan::bridge::meshOf(input).triangles.size(), 1);
+  return scan::bridge::trianglesInRegion(
+    input, this->Region.empty() ? "all" : this->Region, execution);
 }
 
 vtkTypeBool vtkScanPolyDataFilter::ProcessRequest(

@@ -13,6 +13,10 @@ void vtkScanFlattenFilter::Edit(vtkScanWrapData& wrap, scan::WrapModel& model,
 {
   const std::vector<scan::Facet> region = this->FindMarks(wrap, execution);
   report.Marks = static_cast<scan::Index>(region.size());
+  if (this->IsNowhere(region))
+  {
+    return;
+  }
   const scan::FlattenReport flattened = flatten(model, region, execution);
   this->Parts = flattened.parts;
   report.Edit = flattened;

@@ -15,7 +15,7 @@ void vtkScanPullFilter::Edit(vtkScanWrapData& wrap, scan::WrapModel& model,
   {
     removed.push_back(removedBlockAt(model, point, execution));
   }
-  for (const scan::Facet facet : this->FindTriangles(wrap))
+  for (const scan::Facet facet : this->FindTriangles(wrap, execution))
   {
     removed.push_back(removedBlockBefore(model, blocks, facet));
   }

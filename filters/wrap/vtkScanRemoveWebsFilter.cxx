@@ -11,6 +11,10 @@ void vtkScanRemoveWebsFilter::Edit(vtkScanWrapData& wrap, scan::WrapModel& model
 {
   const std::vector<scan::Facet> region = this->FindMarks(wrap, execution);
   report.Marks = static_cast<scan::Index>(region.size());
+  if (this->IsNowhere(region))
+  {
+    return;
+  }
   this->Webs = removeWebs(model, region, { .factor = this->Factor }, execution);
   report.Edit = this->Webs;
 }

@@ -11,6 +11,10 @@ void vtkScanRepairAnglesFilter::Edit(vtkScanWrapData& wrap, scan::WrapModel& mod
 {
   const std::vector<scan::Facet> region = this->FindMarks(wrap, execution);
   report.Marks = static_cast<scan::Index>(region.size());
+  if (this->IsNowhere(region))
+  {
+    return;
+  }
   this->Repairs = repairAngles(model, region, { .featureAngle = this->FeatureAngle }, execution);
   report.Edit = this->Repairs;
 }

@@ -36,7 +36,8 @@ void vtkScanWrapEditFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::E
     std::move(result), wrap.GetInputIds(), true, execution);
 }
 
-std::vector<scan::Facet> vtkScanWrapEditFilter::FindTriangles(vtkScanWrapData& wrap) const
+std::vector<scan::Facet> vtkScanWrapEditFilter::FindTriangles(
+  vtkScanWrapData& wrap, scan::Execution& execution) const
 {
   const std::vector<scan::Facet>& facets = wrap.GetFacets();
   std::vector<scan::Facet> found;
@@ -50,6 +51,17 @@ std::vector<scan::Facet> vtkScanWrapEditFilter::FindTriangles(vtkScanWrapData& w
     }
     found.push_back(facets[static_cast<std::size_t>(triangle)]);
   }
+  if (!this->GetRegion().empty())
+  {
+    const std::vector<std::uint8_t> isInside = this->TrianglesInRegion(wrap, execution);
+    for (std::size_t t = 0; t < facets.size(); ++t)
+    {
+      if (isInside[t] != 0)
+      {
+        found.push_back(facets[t]);
+      }
+    }
+  }
   return found;
 }
 
@@ -59,7 +71,7 @@ std::vector<scan::Facet> vtkScanWrapEditFilter::FindMarks(
   const std::vector<scan::Facet>& facets = wrap.GetFacets();
   const scan::DelaunayComplex& complex = wrap.GetModel().scan->delaunay();
   const double within = inModelUnits(this->Within, complex.points, scan::bridge::unitOf(wrap));
-  std::vector<scan::Facet> marks = this->FindTriangles(wrap);
+  std::vector<scan::Facet> marks = this->FindTriangles(wrap, execution);
   for (const scan::Vec3& point : this->Points)
   {
     if (within > 0.0)

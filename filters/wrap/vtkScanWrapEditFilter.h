@@ -22,7 +22,8 @@ struct vtkScanWrapEditReport
 /// as it is and shares everything but its state with the output. A subclass writes Edit().
 ///
 /// Marks are triangles of the surface: the one nearest to each point given, those given by
-/// their number among the triangles, and all that come nearer than Within to one of the points.
+/// their number among the triangles, all that come nearer than Within to one of the points, and
+/// those in the region.
 class SCANFILTERS_EXPORT vtkScanWrapEditFilter : public vtkScanPolyDataFilter
 {
 public:
@@ -68,12 +69,18 @@ protected:
   virtual void Edit(vtkScanWrapData& wrap, scan::WrapModel& model, vtkScanWrapEditReport& report,
     scan::Execution& execution) = 0;
 
-  /// All marks of the wrap's surface, the triangles given by their number first. One given by a
-  /// point is named from the tetrahedron on the side of the point.
+  /// All marks of the wrap's surface, those of FindTriangles() first. One given by a point is named
+  /// from the tetrahedron on the side of the point.
   std::vector<scan::Facet> FindMarks(vtkScanWrapData& wrap, scan::Execution& execution) const;
 
-  /// Those given as triangles.
-  std::vector<scan::Facet> FindTriangles(vtkScanWrapData& wrap) const;
+  /// Those given as triangles and those in the region, if there is one.
+  std::vector<scan::Facet> FindTriangles(vtkScanWrapData& wrap, scan::Execution& execution) const;
+
+  /// For edits that take no marks for everywhere: whether there is a region and nothing in it.
+  bool IsNowhere(const std::vector<scan::Facet>& marks) const
+  {
+    return marks.empty() && !this->GetRegion().empty();
+  }
 
   const std::vector<scan::Vec3>& GetPoints() const { return this->Points; }
 

@@ -9,9 +9,37 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <numeric>
 #include <vector>
 
 vtkStandardNewMacro(vtkScanWrapFilter);
+
+namespace
+{
+
+/// The points that were wrapped, in their order.
+vtkSmartPointer<vtkPolyData> scanOf(vtkScanWrapData& wrap)
+{
+  const scan::DelaunayComplex& complex = wrap.GetModel().scan->delaunay();
+  std::vector<scan::Index> order(complex.points.size());
+  std::iota(order.begin(), order.end(), scan::Index{ 0 });
+  std::ranges::sort(order, {}, [&](scan::Index vertex) { return complex.scanPoint[vertex]; });
+  scan::TriMesh mesh;
+  std::vector<vtkIdType> ids;
+  for (const scan::Index vertex : order)
+  {
+    mesh.points.push_back(complex.points[vertex]);
+    ids.push_back((*wrap.GetInputIds())[complex.scanPoint[vertex]]);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  scan::bridge::setMesh(*data, mesh);
+  scan::bridge::setScanPointIds(*data, ids);
+  scan::bridge::passOrigin(wrap, *data);
+  return data;
+}
+
+} // namespace
 
 void vtkScanWrapFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -36,6 +64,18 @@ vtkSmartPointer<vtkPolyData> vtkScanWrapFilter::NewOutput(vtkPolyData*)
   return vtkSmartPointer<vtkScanWrapData>::New();
 }
 
+vtkSmartPointer<vtkPolyData> vtkScanWrapFilter::ChoosePoints(
+  vtkPolyData& scan, scan::Execution& execution) const
+{
+  vtkSmartPointer<vtkPolyData> chosen = &scan;
+  if (!this->GetRegion().empty())
+  {
+    chosen = vtkSmartPointer<vtkPolyData>::New();
+    scan::bridge::keepPoints(scan, this->PointsInRegion(scan, execution), *chosen);
+  }
+  return chosen;
+}
+
 void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution)
 {
   using Options = scan::WrapOptions;
@@ -53,14 +93,16 @@ void vtkScanWrapFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
   auto scan = earlier != nullptr ? earlier->GetModel().scan : nullptr;
   std::vector<scan::Vec3> points;
   vtkScanWrapData::PointIds ids;
-  if (scan)
+  if (scan && this->GetRegion().empty())
   {
     ids = earlier->GetInputIds();
   }
   else
   {
-    points = scan::bridge::pointsOf(input);
-    ids = std::make_shared<const std::vector<vtkIdType>>(scan::bridge::scanPointIdsOf(input));
+    const auto chosen = this->ChoosePoints(scan ? *scanOf(*earlier) : input, execution);
+    points = scan::bridge::pointsOf(*chosen);
+    ids = std::make_shared<const std::vector<vtkIdType>>(scan::bridge::scanPointIdsOf(*chosen));
+    scan = nullptr;
   }
   if (this->Size.value() > 0.0)
   {

@@ -11,7 +11,8 @@
 /// The points of the input are used, its cells are not. The output is a vtkScanWrapData with the
 /// triangles, in classic mode the left-over lines and the arrays of blocks, and the ScanPointId
 /// array; other arrays of the input are dropped. Where the input is a wrap, all points of its scan
-/// are wrapped, and their complex is used again. See scan::wrap for the guarantees.
+/// are wrapped, and their complex is used again. Of a region only its points are wrapped. See
+/// scan::wrap for the guarantees.
 class SCANFILTERS_EXPORT vtkScanWrapFilter : public vtkScanPolyDataFilter
 {
 public:
@@ -78,6 +79,9 @@ protected:
   void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) override;
 
 private:
+  /// The points to wrap of a scan.
+  vtkSmartPointer<vtkPolyData> ChoosePoints(vtkPolyData& scan, scan::Execution& execution) const;
+
   ModeType Mode = AUTOMATIC;
   FitType Fit = ALL;
   OpenType Open = DECIDE;

@@ -31,7 +31,7 @@ scan_cli_test(RecordOfFailure "scanwrap $DATA/torus.xyz info --quiet -o out.stl 
 scan_cli_test(JsonProgress "scanwrap $DATA/torus.xyz wrap --progress=json -o out.stl"
   FILES out.stl ERR "\"verb\":\"wrap\",\"phase\":\"[^\"]+\",\"fraction\":")
 scan_cli_test(DryRun "scanwrap $DATA/torus.xyz wrap --dry-run -o out.stl"
-  OUT "open .*wrap --fit=all --manifold=true --mode=auto --open=auto --size=0\nsave out.stl")
+  OUT "open .*wrap --fit=all --manifold=true --mode=auto --open=auto --region= --size=0\nsave out.stl")
 scan_cli_test(Overwrite "touch out.stl; scanwrap $DATA/helix.xyz wrap --overwrite -o out.stl; test -s out.stl"
   FILES out.stl)
 scan_cli_test(SameBytesOnAnyThreads "for n in 1 2 5; do scanwrap $DATA/torus.xyz --threads=$n wrap -o - | md5sum; done | sort -u | wc -l"
@@ -108,6 +108,29 @@ scan_cli_test(BatchIntoOneFile "cp $DATA/torus.xyz a.xyz; cp a.xyz b.xyz; scanwr
 scan_cli_test(BatchOfNothing "scanwrap --batch='*.xyz' wrap info" EXIT 2 ERR "no such file")
 scan_cli_test(BatchIsCancelled "for i in 1 2 3 4 5 6; do cp $DATA/multiview_scan.ply $i.ply; done; '${CMAKE_BINARY_DIR}/bin/scanwrap' --batch='?.ply' wrap -o 'o{name}.stl' --progress=none & sleep 0.5; kill -INT $!; wait $!"
   EXIT 4 OUT "not started.*6 files: " ERR "--resume")
+# Regions
+scan_cli_test(CropAndEraseShareTheSurface "scanwrap $DATA/torus.xyz wrap select --name=half --rule='plane(0,0,0, 0,1,0)' crop --region=half info && scanwrap $DATA/torus.xyz wrap erase --region='plane(0,0,0, 0,1,0)' info"
+  OUT "triangles +5005\n.*triangles +4995\n")
+scan_cli_test(RegionsPassThroughAWrap "scanwrap $DATA/torus.xyz select --name=half --rule='plane(0,0,0, 0,1,0)' wrap crop --region=half info" OUT "triangles +5005\n")
+scan_cli_test(RegionsOfRegions "scanwrap $DATA/torus.xyz select --name=a --rule='plane(0,0,0, 0,1,0)' select --name=b --rule='a & plane(0,0,0, 1,0,0)' select --name=a --rule=none select --name=c --rule=b --verbose -o out.ply 2>&1 | grep -E '^rule|nothing'"
+  FILES out.ply OUT "rule +none\nrule +plane.0,0,0,0,1,0. & plane.0,0,0,1,0,0.\n.*nothing is in the region a\n$")
+scan_cli_test(ALassoWithDepth "for depth in '' ' & depth(front, 0,0,0)'; do scanwrap $DATA/torus.xyz info --region=\"polygon(front, 0.8,-0.3, 1.2,0, 0.8,0.3)$depth\" | grep -E '^points|max-y'; done"
+  OUT "^points +153\nbox-max-y +1.07[0-9]+\npoints +78\nbox-max-y +-0.0008[0-9]+\n$")
+scan_cli_test(WrapARegion "scanwrap $DATA/torus.xyz select --name=half --rule='plane(0,0,0, 0,1,0)' wrap --region=half -o a.ply && scanwrap $DATA/torus.xyz crop --region='plane(0,0,0, 0,1,0)' wrap -o b.ply && cmp a.ply b.ply")
+scan_cli_test(PushARegion "scanwrap $DATA/plate_hole.xyz wrap --mode=classic push --region='brush(3x, 0,0,9, 0,0,-9)' --deep info" OUT "genus +1\n")
+foreach(edit IN ITEMS "repair-angles" "remove-webs --factor=0.5" "flatten")
+  string(REGEX REPLACE " .*" "" name "${edit}")
+  set(sample monkey_saddle.xyz)
+  set(mode classic)
+  if(name STREQUAL "repair-angles")
+    set(sample plate_hole.xyz)
+    set(mode auto)
+  endif()
+  scan_cli_test(ARegionOfNothingIsNowhere.${name} "scanwrap $DATA/${sample} wrap --mode=${mode} -o a.ply ${edit} --region=none -o b.ply ${edit} -o c.ply && cmp a.ply b.ply && ! cmp -s b.ply c.ply"
+    ERR "scanwrap: ${name}: nothing changed\n")
+endforeach()
+scan_cli_test(PictureOfARegion "scanwrap $DATA/torus.xyz wrap render --region='plane(0,0,0, 0,1,0)' --width=64 --height=48 -o a.png crop --region='plane(0,0,0, 0,1,0)' render --width=64 --height=48 -o b.png && cmp a.png b.png")
+scan_cli_test(SameRegionOnAnyThreads "for n in 1 2 5; do scanwrap $DATA/torus.xyz --threads=$n crop --region='grow(curvature(2, inf), 2) - component(9,9,9) + brush(4x, 1,0,0, 0,1,0)' -o - | md5sum; done | sort -u | wc -l" OUT "^1\n")
 
 # Wrong usage: refused before any work
 scan_cli_test(NoInput "scanwrap" EXIT 2 ERR "no input")
@@ -133,6 +156,8 @@ scan_cli_test(RecordOverInput "cp $DATA/torus.xyz in.xyz; scanwrap in.xyz --over
 scan_cli_test(OutputNameTooLong "scanwrap $DATA/torus.xyz wrap -o \"$(printf 'a%.0s' {1..252}).stl\"" EXIT 2 ERR "name too long.*choose another")
 scan_cli_test(OutputLinksInCircle "ln -s a.ply b.ply; ln -s b.ply a.ply; scanwrap $DATA/torus.xyz wrap -o a.ply" EXIT 2 ERR "symbolic links")
 scan_cli_test(NameWithLineFeed "scanwrap \"$(printf 'no\\nfile.xyz')\" wrap -o out.stl" EXIT 2 ERR "no.file.xyz")
+scan_cli_test(MalformedRule "scanwrap $DATA/torus.xyz -o out.ply wrap --region='box(1,2' -o out.stl" EXIT 2 ERR "^scanwrap: region: character 8: expected ',' of box")
+scan_cli_test(DeepRule "scanwrap $DATA/torus.xyz info --region=$(printf '(%.0s' {1..9999})" EXIT 2 ERR "expected fewer functions within each other")
 
 # Unreadable input
 scan_cli_test(MissingFile "scanwrap none.xyz wrap -o out.stl" EXIT 2 ERR "none.xyz.*No such file")
@@ -236,5 +261,9 @@ scan_cli_test(PointThatIsNoNumber "scanwrap $DATA/torus.xyz wrap push --at=nan,0
 scan_cli_test(TriangleOutOfRange "scanwrap $DATA/torus.xyz wrap push --triangle=10000 -o out.stl" EXIT 2 ERR "there is no triangle 10000; the surface has 10000, counted from 0")
 scan_cli_test(BlockThatIsNot "scanwrap $DATA/torus.xyz wrap push --block=99999999 -o out.stl" EXIT 2 ERR "there is no block 99999999")
 scan_cli_test(ReachBelowOne "scanwrap $DATA/torus.xyz wrap push --at=0,0,0 --reach=0.5 -o out.stl" EXIT 2 ERR "--reach=0.5: expected a number from 1")
+scan_cli_test(SelectWithoutAName "scanwrap $DATA/torus.xyz select --rule=all -o out.ply" EXIT 2 ERR "select: --name=: expected a name")
+scan_cli_test(SelectWithoutARule "scanwrap $DATA/torus.xyz select --name=a -o out.ply" EXIT 2 ERR "select: --rule: expected what belongs")
+scan_cli_test(CropWithoutARegion "scanwrap $DATA/torus.xyz crop -o out.ply" EXIT 2 ERR "crop: --region: expected the name of a region")
+scan_cli_test(RegionThatIsNot "scanwrap $DATA/torus.xyz select --name=a --rule=all select --name=b --rule=none erase --region=c -o out.ply" EXIT 2 ERR "erase: region: character 1: expected a function or one of the regions a, b, found 'c'")
 scan_cli_test(NegativeSize "scanwrap $DATA/torus.xyz wrap --size=-1 -o out.stl" EXIT 2 ERR "--size=-1: expected a length")
 scan_cli_test(ShotAlongNothing "scanwrap $DATA/torus.xyz wrap shoot --at=0,0,2 --along=0,0,1e999 -o out.stl" EXIT 2 ERR "--along=0,0,1e999: expected")

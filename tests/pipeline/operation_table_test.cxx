@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 using namespace scan;
@@ -30,6 +31,19 @@ TEST(OperationTable, DescribesEveryOperationCompletely)
     }
   }
   EXPECT_EQ(findOperation("nonsense"), nullptr);
+}
+
+TEST(OperationTable, WorksOnRegions)
+{
+  const std::set<std::string> withoutRegion{ "select" }; // makes one
+  for (const Operation& operation : operationTable())
+  {
+    const bool isOfModels = operation.stage == Stage::points || operation.stage == Stage::wrap ||
+      operation.stage == Stage::analysis;
+    EXPECT_EQ(std::ranges::count(operation.parameters, "region", &Parameter::name),
+      isOfModels && !withoutRegion.contains(operation.verb) ? 1 : 0)
+      << operation.verb;
+  }
 }
 
 TEST(OperationTable, MakesAFreshFilterEachTimeForEveryChoice)

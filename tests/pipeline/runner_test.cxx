@@ -97,7 +97,15 @@ TEST(Runner, EveryOperationSurvivesAnEmptyModel)
   for (const Operation& operation : operationTable())
   {
     vtkNew<vtkPolyData> empty;
-    const StepResult step = runOperation(operation, {}, *empty, {});
+    ParameterValues needed;
+    for (const Parameter& parameter : operation.parameters)
+    {
+      if (parameter.name == "name" || parameter.name == "rule" || parameter.name == "region")
+      {
+        needed[parameter.name] = parameter.name == "name" ? "part" : "all";
+      }
+    }
+    const StepResult step = runOperation(operation, needed, *empty, {});
     EXPECT_TRUE(step.outcome.state == State::ok || step.outcome.code == ErrorCode::badInput)
       << operation.verb << ": " << step.outcome.message;
   }

@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/region_adjacency.h"
+
+#include "filters/geometry/half_edges.h"
+#include "filters/geometry/parallel_sort.h"
+#include "filters/geometry/union_find.h"
+
+#include <nanoflann.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::size_t kSpacingRank = 8;
+constexpr double kReach = 2.0; // local spacings
+constexpr std::size_t kGrain = 1 << 12;
+constexpr std::size_t kBetweenSteps = 1 << 16;
+
+/// Points as the search wants to see them.
+struct Places
+{
+  const std::vector<Vec3>& points;
+
+  std::size_t kdtree_get_point_count() const { return this->points.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const
+  {
+    const Vec3& p = this->points[i];
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const
+  {
+    return false;
+  }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Places>,
+  Places, 3, std::size_t>;
+
+/// Adds the corners of triangles that are not there, as long as there are few.
+void addCorners(const TriMesh& mesh, std::span<const Index> triangles, std::vector<Index>& found)
+{
+  constexpr std::size_t kMost = 65;
+  for (std::size_t i = 0; i < triangles.size() && found.size() + 3 <= kMost; ++i)
+  {
+    for (const Index corner : mesh.triangles[triangles[i]])
+    {
+      if (std::ranges::find(found, corner) == found.end())
+      {
+        found.push_back(corner);
+      }
+    }
+  }
+}
+
+} // namespace
+
+RegionAdjacency::RegionAdjacency(const TriMesh& mesh, RegionElements elements, Execution& execution)
+  : Mesh(mesh)
+  , Kind(elements)
+{
+  requireCorners(mesh);
+  if (!this->isScan())
+  {
+    this->AtPoint = Incidence(mesh.points.size(), mesh.triangles.size(),
+      [&](std::size_t t, auto&& visit) { std::ranges::for_each(mesh.triangles[t], visit); });
+  }
+  else
+  {
+    this->joinPlaces(execution);
+  }
+}
+
+void RegionAdjacency::joinPlaces(Execution& execution)
+{
+  const std::vector<Vec3>& points = this->Mesh.points;
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  const auto key = [&](Index i) { return std::tuple(points[i].x, points[i].y, points[i].z, i); };
+  sortInParallel(order, execution, [&](Index a, Index b) { return key(a) < key(b); });
+  this->PlaceOf.resize(points.size());
+  std::vector<Vec3> places;
+  for (const Index i : order)
+  {
+    if (places.empty() || !(places.back() == points[i]))
+    {
+      places.push_back(points[i]);
+    }
+    this->PlaceOf[i] = static_cast<Index>(places.size() - 1);
+  }
+  this->AtPlace = Incidence(
+    places.size(), points.size(), [&](std::size_t i, auto&& visit) { visit(this->PlaceOf[i]); });
+  this->findNearest(places, execution);
+}
+
+void RegionAdjacency::findNearest(const std::vector<Vec3>& places, Execution& execution)
+{
+  const Places seen{ places };
+  const Tree tree(3, seen, nanoflann::KDTreeSingleIndexAdaptorParams(12));
+  std::vector<double> spacing2(places.size());
+  this->NearTo.resize(places.size());
+  execution.parallelFor(places.size(), kGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::array<std::size_t, kNearest + 1> found{};
+      std::array<double, kNearest + 1> distance2{};
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::array<double, 3> at{ places[i].x, places[i].y, places[i].z };
+        const std::size_t count =
+          tree.knnSearch(at.data(), found.size(), found.data(), distance2.data());
+        spacing2[i] = distance2[std::min(kSpacingRank, count - 1)];
+        this->NearTo[i].fill(kNone);
+        for (std::size_t k = 1; k < count; ++k) // the first is the place itself
+        {
+          this->NearTo[i][k - 1] = static_cast<Index>(found[k]);
+        }
+      }
+    });
+  execution.parallelFor(places.size(), kGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto isFar = [&](Index other)
+        {
+          const Vec3 d = other == kNone ? Vec3{} : places[other] - places[i];
+          return other == kNone ||
+            dot(d, d) > kReach * kReach * std::min(spacing2[i], spacing2[other]);
+        };
+        Nearest& near = this->NearTo[i];
+        std::fill(std::remove_if(near.begin(), near.end(), isFar), near.end(), kNone);
+      }
+    });
+  this->NearFrom = Incidence(places.size(), places.size(),
+    [&](std::size_t i, auto&& visit)
+    {
+      for (const Index other : this->NearTo[i])
+      {
+        if (other != kNone)
+        {
+          visit(other);
+        }
+      }
+    });
+}
+
+std::size_t RegionAdjacency::elements() const
+{
+  return this->Kind == RegionElements::triangles ? this->Mesh.triangles.size()
+                                                 : this->Mesh.points.size();
+}
+
+std::size_t RegionAdjacency::joints() const
+{
+  return this->isScan()                       ? this->NearTo.size()
+    : this->Kind == RegionElements::triangles ? this->Mesh.points.size()
+                                              : this->Mesh.triangles.size();
+}
+
+template <class Visit>
+void RegionAdjacency::forEachJoint(Index element, Visit&& visit) const
+{
+  if (this->Kind == RegionElements::triangles)
+  {
+    std::ranges::for_each(this->Mesh.triangles[element], visit);
+  }
+  else if (this->isScan())
+  {
+    visit(this->PlaceOf[element]);
+  }
+  else
+  {
+    std::ranges::for_each(this->AtPoint.of(element), visit);
+  }
+}
+
+template <class Visit>
+void RegionAdjacency::forEachElement(Index joint, Visit&& visit) const
+{
+  if (this->Kind == RegionElements::triangles)
+  {
+    std::ranges::for_each(this->AtPoint.of(joint), visit);
+    return;
+  }
+  if (!this->isScan())
+  {
+    std::ranges::for_each(this->Mesh.triangles[joint], visit);
+    return;
+  }
+  const auto visitPlace = [&](Index place)
+  {
+    if (place != kNone)
+    {
+      std::ranges::for_each(this->AtPlace.of(place), visit);
+    }
+  };
+  visitPlace(joint);
+  std::ranges::for_each(this->NearTo[joint], visitPlace);
+  std::ranges::for_each(this->NearFrom.of(joint), visitPlace);
+}
+
+std::vector<std::uint8_t> RegionAdjacency::grow(
+  std::vector<std::uint8_t> chosen, std::size_t rings, Execution& execution) const
+{
+  std::vector<std::uint8_t> isPassed(this->joints(), 0);
+  std::vector<Index> front;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    if (chosen[i] != 0)
+    {
+      front.push_back(static_cast<Index>(i));
+    }
+  }
+  std::vector<Index> next;
+  for (std::size_t ring = 0; ring < rings && !front.empty(); ++ring)
+  {
+    execution.step("region", ring, rings);
+    next.clear();
+    const auto reach = [&](Index element)
+    {
+      if (chosen[element] == 0)
+      {
+        chosen[element] = 1;
+        next.push_back(element);
+      }
+    };
+    const auto pass = [&](Index joint)
+    {
+      if (isPassed[joint] == 0)
+      {
+        isPassed[joint] = 1;
+        this->forEachElement(joint, reach);
+      }
+    };
+    for (const Index element : front)
+    {
+      this->forEachJoint(element, pass);
+    }
+    front.swap(next);
+  }
+  return chosen;
+}
+
+std::vector<Index> RegionAdjacency::parts(Execution& execution) const
+{
+  UnionFind sets(this->elements());
+  const auto join = [&](Index a, Index b)
+  {
+    const Index rootA = sets.root(a);
+    const Index rootB = sets.root(b);
+    if (rootA != rootB)
+    {
+      sets.join(std::min(rootA, rootB), std::max(rootA, rootB));
+    }
+  };
+  if (this->Kind == RegionElements::triangles)
+  {
+    const EdgePairs edges = pairEdges(this->Mesh, execution);
+    for (Index half = 0; half < edges.mate.size(); ++half)
+    {
+      if (edges.mate[half] != kNone)
+      {
+        join(half / 3, edges.mate[half] / 3);
+      }
+    }
+    for (std::size_t edge = 0; edge + 1 < edges.crowdedBegin.size(); ++edge)
+    {
+      const Index first = edges.crowded[edges.crowdedBegin[edge]] / 3;
+      for (Index i = edges.crowdedBegin[edge]; i < edges.crowdedBegin[edge + 1]; ++i)
+      {
+        join(first, edges.crowded[i] / 3);
+      }
+    }
+  }
+  else
+  {
+    for (Index joint = 0; joint < this->joints(); ++joint)
+    {
+      if (joint % kBetweenSteps == 0)
+      {
+        execution.step("region", joint, this->joints());
+      }
+      Index first = kNone;
+      this->forEachElement(joint,
+        [&](Index element)
+        {
+          first = first == kNone ? element : first;
+          join(first, element);
+        });
+    }
+  }
+  std::vector<Index> parts(this->elements());
+  for (Index i = 0; i < parts.size(); ++i)
+  {
+    parts[i] = sets.root(i);
+  }
+  return parts;
+}
+
+std::vector<Index> RegionAdjacency::around(Index point) const
+{
+  constexpr std::size_t kEnough = 12;
+  std::vector<Index> found{ point };
+  if (!this->isScan())
+  {
+    for (std::size_t begin = 0; begin < found.size() && found.size() <= kEnough;)
+    {
+      for (const std::size_t end = found.size(); begin < end; ++begin)
+      {
+        addCorners(this->Mesh, this->AtPoint.of(found[begin]), found);
+      }
+    }
+  }
+  else
+  {
+    const Nearest& near = this->NearTo[this->PlaceOf[point]];
+    std::for_each(near.begin(), std::ranges::find(near, kNone),
+      [&](Index place) { found.push_back(this->AtPlace.of(place).front()); });
+  }
+  found.erase(found.begin());
+  return found;
+}
+
+} // namespace scan
