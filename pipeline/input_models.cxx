@@ -167,7 +167,7 @@ InputModel withUnit(InputModel model, double millimetres)
   }
   else if (!isSameUnit(known, millimetres))
   {
-    model.note = model.name + " says itself that its unit is " + nameOfUnit(known);
+    model.note = "says itself that its unit is " + nameOfUnit(known);
   }
   return model;
 }

@@ -225,8 +225,8 @@ struct Text
     std::string text;
     for (const Vec3& p : points)
     {
-      text +=
-        (text.empty() ? "" : ";") + numberText(p.x) + "," + numberText(p.y) + "," + numberText(p.z);
+      text.append(text.empty() ? "" : ";").append(numberText(p.x)).append(",");
+      text.append(numberText(p.y)).append(",").append(numberText(p.z));
     }
     return text;
   }
@@ -235,7 +235,7 @@ struct Text
     std::string text;
     for (const std::int64_t id : ids)
     {
-      text += (text.empty() ? "" : ",") + numberText(id);
+      text.append(text.empty() ? "" : ",").append(numberText(id));
     }
     return text;
   }
@@ -244,7 +244,7 @@ struct Text
     std::string text;
     for (const std::string& line : texts)
     {
-      text += (&line == &texts.front() ? "" : "\n") + line;
+      text.append(&line == &texts.front() ? "" : "\n").append(line);
     }
     return text;
   }

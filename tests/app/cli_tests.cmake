@@ -177,7 +177,7 @@ scan_cli_test(BadOptionOfOutput "scanwrap $DATA/torus.xyz wrap -o a.dxf --faces=
 scan_cli_test(UnitsOfSomeFiles "scanwrap $DATA/torus.xyz -o a.glb 2> first; scanwrap a.glb $DATA/torus.xyz info" EXIT 2 ERR "only some of the files say what their unit is; give that of the others with --unit")
 scan_cli_test(UnitOfFiles "scanwrap --unit=in $DATA/torus.xyz wrap -o a.3mf && scanwrap a.3mf info" OUT "\nunit +inch\n")
 scan_cli_test(UnitIsInTheFile "scanwrap --unit=in $DATA/torus.xyz wrap -o a.3mf && scanwrap --unit=mm a.3mf info" OUT "\nunit +inch\n"
-  ERR "a.3mf says itself that its unit is inch")
+  ERR "a.3mf: says itself that its unit is inch")
 scan_cli_test(UnitsAreConverted "scanwrap --unit=m $DATA/torus.xyz wrap -o a.3mf -o b.glb && scanwrap --unit=mm $DATA/torus.xyz wrap -o c.3mf && scanwrap c.3mf b.glb info"
   OUT "unit +millimetre\n.*box-max-x +1349\\." ERR "b.glb is converted from metre to millimetre")
 scan_cli_test(UnknownUnit "scanwrap --unit=furlong $DATA/torus.xyz info" EXIT 2 ERR "--unit=furlong: .*mm")

@@ -63,7 +63,7 @@ TEST(InputModels, GetAUnitUnlessTheyHaveOne)
   EXPECT_EQ(modelOf(bare).millimetresPerUnit, 0.0); // nobody changes the data
   EXPECT_EQ(withUnit(inputOf("a", triangle(25.4)), 25.4).note, "");
   const InputModel metres = withUnit(inputOf("a", triangle(1000.0)), 25.4);
-  EXPECT_EQ(metres.note, "a says itself that its unit is metre");
+  EXPECT_EQ(metres.note, "says itself that its unit is metre");
   EXPECT_EQ(modelOf(metres).millimetresPerUnit, 1000.0);
 }
 
