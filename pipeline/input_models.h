@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "readers/affine.h"
+#include "filters/geometry/affine.h"
 #include "readers/transforms.h"
 
 #include <vtkSmartPointer.h>

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/outliers.h"
+
+#include "filters/geometry/local_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace scan
+{
+namespace
+{
+
+constexpr double kDeviations = 4.0;     // of the usual ratios, robustly measured
+constexpr double kLonely = 0.6;         // of the limit: for points that are nobody's neighbours
+constexpr double kGap = 8.0;            // spacings around a clump
+constexpr Index kClumpNeighbours = 4;   // largest clump, in numbers of neighbours
+constexpr std::size_t kClumpShare = 50; // of all places, the inverse
+constexpr std::size_t kCloudShare = 4;  // largest cloud of strays, of all places, the inverse
+constexpr double kJump = 1.6; // of the spacing between neighbours that hang together, at most
+constexpr double kThin = 2.0; // spacings of the scan nearby: that of a cloud, at least
+constexpr double kFull = 0.1; // surface variation of a cloud, at least
+
+using Iterator = std::vector<double>::iterator;
+
+double quantile(std::vector<double>& values, double share)
+{
+  const auto at =
+    values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Places and their neighbours.
+struct Crowd
+{
+  const Neighbours& places;
+  std::size_t count;                // of neighbours
+  std::vector<Index> near;          // count per place, nearest first
+  std::vector<double> spacing;      // mean distance of these
+  std::vector<double> ratio;        // of the spacing to the median of those of the neighbours
+  std::vector<std::uint8_t> isFull; // whether the neighbours fill space rather than a surface
+
+  Crowd(const Neighbours& all, std::size_t neighbours, Execution& execution);
+
+  std::span<const Index> nearOf(Index place) const
+  {
+    return { this->near.data() + place * this->count, this->count };
+  }
+};
+
+Crowd::Crowd(const Neighbours& all, std::size_t neighbours, Execution& execution)
+  : places(all)
+  , count(neighbours)
+  , near(all.size() * neighbours)
+  , spacing(all.size())
+  , ratio(all.size())
+  , isFull(all.size())
+{
+  parallelSteps(execution, "outliers", all.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::vector<Neighbour> found;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        all.nearest(all[static_cast<Index>(i)], neighbours + 1, found);
+        double sum = 0.0;
+        for (std::size_t n = 0; n < neighbours; ++n) // the first is the place itself
+        {
+          this->near[i * neighbours + n] = found[n + 1].place;
+          sum += std::sqrt(found[n + 1].squaredDistance);
+        }
+        this->spacing[i] = sum / static_cast<double>(neighbours);
+        this->isFull[i] = fitPlane(all, found).variation() > kFull ? 1 : 0;
+      }
+    });
+  execution.parallelFor(all.size(), 1U << 12U,
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::vector<double> around(neighbours);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        std::ranges::transform(this->nearOf(static_cast<Index>(i)), around.begin(),
+          [&](Index neighbour) { return this->spacing[neighbour]; });
+        this->ratio[i] = this->spacing[i] / quantile(around, 0.5);
+      }
+    });
+}
+
+/// From where on a ratio is no chance.
+double limitOf(const std::vector<double>& ratios, double factor)
+{
+  std::vector<double> logarithms(ratios.size());
+  std::ranges::transform(ratios, logarithms.begin(), [](double ratio) { return std::log(ratio); });
+  const double middle = quantile(logarithms, 0.5);
+  std::ranges::for_each(logarithms, [&](double& value) { value = std::abs(value - middle); });
+  constexpr double kNormal = 1.4826; // median absolute deviation to standard deviation
+  return std::max(factor, std::exp(middle + kDeviations * kNormal * quantile(logarithms, 0.5)));
+}
+
+/// The places that hang together because each is a neighbour of the other, largest part first.
+/// A stray point has neighbours on the scan, but those have nearer ones.
+std::vector<std::vector<Index>> mutualParts(
+  const Crowd& crowd, const std::vector<std::uint8_t>& isStray)
+{
+  std::vector<Index> parent(crowd.places.size());
+  std::iota(parent.begin(), parent.end(), Index{ 0 });
+  const auto rootOf = [&](Index place)
+  {
+    while (parent[place] != place)
+    {
+      place = parent[place] = parent[parent[place]];
+    }
+    return place;
+  };
+  const std::size_t close = crowd.count / 2;
+  const auto areMutual = [&](Index a, Index b)
+  {
+    const auto nearB = crowd.nearOf(b).first(close);
+    const auto [low, high] = std::minmax(crowd.spacing[a], crowd.spacing[b]);
+    return crowd.isFull[a] == crowd.isFull[b] && high < kJump * low &&
+      std::ranges::find(nearB, a) != nearB.end();
+  };
+  for (Index place = 0; place < parent.size(); ++place)
+  {
+    for (const Index other : crowd.nearOf(place).first(close))
+    {
+      if (other < place && isStray[place] == 0 && isStray[other] == 0 && areMutual(place, other))
+      {
+        const Index a = rootOf(place);
+        const Index b = rootOf(other);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  std::vector<std::vector<Index>> parts(parent.size());
+  for (Index place = 0; place < parent.size(); ++place)
+  {
+    if (isStray[place] == 0)
+    {
+      parts[rootOf(place)].push_back(place);
+    }
+  }
+  std::erase_if(parts, [](const std::vector<Index>& part) { return part.empty(); });
+  std::ranges::stable_sort(parts,
+    [](const std::vector<Index>& a, const std::vector<Index>& b) { return a.size() > b.size(); });
+  return parts;
+}
+
+template <class Measure>
+double quantileOf(const std::vector<Index>& part, double share, const Measure& measure)
+{
+  std::vector<double> values(part.size());
+  std::ranges::transform(part, values.begin(), measure);
+  return quantile(values, share);
+}
+
+/// Whether only strays are near the part.
+bool isFarFromOthers(
+  const Crowd& crowd, const std::vector<Index>& part, const std::vector<std::uint8_t>& isStray)
+{
+  std::vector<Neighbour> found;
+  const auto nearestSpacing = [&](Index place)
+  {
+    const Vec3 d = crowd.places[crowd.nearOf(place)[1]] - crowd.places[place];
+    return length(d);
+  };
+  const double own = quantileOf(part, 0.5, nearestSpacing);
+  return std::ranges::all_of(part,
+    [&](Index place)
+    {
+      crowd.places.nearest(crowd.places[place], part.size() + 1, found, isStray);
+      return std::ranges::all_of(found,
+        [&](const Neighbour& other)
+        {
+          const double gap = kGap * std::max(own, nearestSpacing(other.place));
+          return other.squaredDistance > gap * gap || std::ranges::binary_search(part, other.place);
+        });
+    });
+}
+
+/// Whether the part is no surface, and thin beside the surface nearby.
+bool isCloud(
+  const Crowd& crowd, const std::vector<Index>& part, const std::vector<std::uint8_t>& isNoGround)
+{
+  std::vector<Neighbour> found;
+  const auto thinness = [&](Index place)
+  {
+    crowd.places.nearest(crowd.places[place], 1, found, isNoGround);
+    return found.empty() ? 0.0 : crowd.spacing[place] / crowd.spacing[found.front().place];
+  };
+  return (part.size() < crowd.count || crowd.isFull[part.front()] != 0) &&
+    quantileOf(part, 0.5, thinness) > kThin;
+}
+
+} // namespace
+
+OutlierResult findOutliers(std::span<const Vec3> points, std::span<const std::uint8_t> inRegion,
+  const OutlierOptions& options, Execution& execution)
+{
+  OutlierResult result;
+  result.isStray.resize(points.size(), 0);
+  const Neighbours places(points, execution);
+  if (places.size() <= options.neighbours)
+  {
+    return result;
+  }
+  const Crowd crowd(places, options.neighbours, execution);
+  const double limit = limitOf(crowd.ratio, options.factor);
+  std::vector<std::uint8_t> isStray(places.size());
+  std::ranges::transform(
+    crowd.ratio, isStray.begin(), [&](double ratio) { return ratio > limit ? 1 : 0; });
+
+  const auto parts = mutualParts(crowd, isStray);
+  std::vector<std::uint8_t> isInClump(places.size(), 0);
+  const std::size_t largestClump =
+    std::min<std::size_t>(kClumpNeighbours * options.neighbours, places.size() / kClumpShare);
+  std::vector<std::uint8_t> isNoGround(places.size(), 1);
+  for (const std::vector<Index>& part : parts)
+  {
+    const bool isGround = part.size() > largestClump && crowd.isFull[part.front()] == 0;
+    std::ranges::for_each(part, [&](Index place) { isNoGround[place] = isGround ? 0 : 1; });
+  }
+  for (const std::vector<Index>& part : parts)
+  {
+    if (part.size() > places.size() / kCloudShare)
+    {
+      continue;
+    }
+    const bool isLonely = part.size() <= 2 &&
+      std::ranges::all_of(part, [&](Index place) { return crowd.ratio[place] > kLonely * limit; });
+    if (isLonely || isCloud(crowd, part, isNoGround) ||
+      (part.size() <= largestClump && isFarFromOthers(crowd, part, isStray)))
+    {
+      std::ranges::for_each(part, [&](Index place) { isInClump[place] = 1; });
+    }
+  }
+  for (Index place = 0; place < places.size(); ++place)
+  {
+    const auto here = places.pointsAt(place);
+    if ((isStray[place] == 0 && isInClump[place] == 0))
+    {
+      continue;
+    }
+    for (const Index point : here)
+    {
+      if (inRegion[point] != 0)
+      {
+        result.isStray[point] = 1;
+        ++(isStray[place] != 0 ? result.single : result.inClumps);
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace scan
