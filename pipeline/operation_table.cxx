@@ -22,9 +22,11 @@ const std::vector<Operation>& operationTable()
 {
   static const std::vector<Operation> kTable = []
   {
-    std::vector<Operation> table = wrapOperations();
-    const std::vector<Operation> analysis = analysisOperations();
-    table.insert(table.end(), analysis.begin(), analysis.end());
+    std::vector<Operation> table = pointOperations();
+    for (const auto& rows : { wrapOperations(), analysisOperations() })
+    {
+      table.insert(table.end(), rows.begin(), rows.end());
+    }
     return table;
   }();
   return kTable;

@@ -276,7 +276,9 @@ void fitScan(AlignResult& result, std::span<const Vec3> moving, std::span<const 
   while (true)
   {
     execution.step("fit", static_cast<std::size_t>(result.iterations), steps);
-    result.used = findPartners(samples, result.motion, fixed, execution);
+    result.used = samples.empty() || fixed.places().size() == 0
+      ? 0
+      : findPartners(samples, result.motion, fixed, execution);
     if (result.used == 0 || !(size > 0.0))
     {
       throw Error(ErrorCode::badInput,

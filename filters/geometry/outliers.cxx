@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace scan
 {
@@ -17,14 +18,12 @@ namespace
 constexpr double kDeviations = 4.0;     // of the usual ratios, robustly measured
 constexpr double kLonely = 0.6;         // of the limit: for points that are nobody's neighbours
 constexpr double kGap = 8.0;            // spacings around a clump
-constexpr Index kClumpNeighbours = 4;   // largest clump, in numbers of neighbours
+constexpr std::size_t kClumpNeighbours = 4;   // largest clump, in numbers of neighbours
 constexpr std::size_t kClumpShare = 50; // of all places, the inverse
 constexpr std::size_t kCloudShare = 4;  // largest cloud of strays, of all places, the inverse
 constexpr double kJump = 1.6; // of the spacing between neighbours that hang together, at most
 constexpr double kThin = 2.0; // spacings of the scan nearby: that of a cloud, at least
 constexpr double kFull = 0.1; // surface variation of a cloud, at least
-
-using Iterator = std::vector<double>::iterator;
 
 double quantile(std::vector<double>& values, double share)
 {
@@ -182,18 +181,76 @@ bool isFarFromOthers(
     });
 }
 
-/// Whether the part is no surface, and thin beside the surface nearby.
-bool isCloud(
-  const Crowd& crowd, const std::vector<Index>& part, const std::vector<std::uint8_t>& isNoGround)
+/// The scan beyond doubt: large parts that are a surface.
+class Ground
 {
-  std::vector<Neighbour> found;
-  const auto thinness = [&](Index place)
+public:
+  Ground(const Crowd& crowd, const std::vector<std::vector<Index>>& parts, std::size_t least,
+    Execution& execution)
   {
-    crowd.places.nearest(crowd.places[place], 1, found, isNoGround);
-    return found.empty() ? 0.0 : crowd.spacing[place] / crowd.spacing[found.front().place];
-  };
+    std::vector<Vec3> points;
+    for (const std::vector<Index>& part : parts)
+    {
+      if (part.size() >= least && crowd.isFull[part.front()] == 0)
+      {
+        for (const Index place : part)
+        {
+          points.push_back(crowd.places[place]);
+          this->Spacings.push_back(crowd.spacing[place]);
+        }
+      }
+    }
+    this->Places.emplace(points, execution);
+  }
+
+  /// At the nearest place; infinite without ground.
+  double spacingNear(const Vec3& at) const
+  {
+    std::vector<Neighbour> found;
+    this->Places->nearest(at, 1, found);
+    return found.empty() ? std::numeric_limits<double>::infinity()
+                         : this->Spacings[this->Places->pointsAt(found.front().place).front()];
+  }
+
+private:
+  std::vector<double> Spacings;
+  std::optional<Neighbours> Places;
+};
+
+/// Whether the part is no surface, or too small to tell, and thin beside the ground.
+bool isCloud(const Crowd& crowd, const std::vector<Index>& part, const Ground& ground)
+{
+  const auto thinness = [&](Index place)
+  { return crowd.spacing[place] / ground.spacingNear(crowd.places[place]); };
   return (part.size() < crowd.count || crowd.isFull[part.front()] != 0) &&
     quantileOf(part, 0.5, thinness) > kThin;
+}
+
+/// Marks stray places that are neighbours of each other.
+std::vector<std::uint8_t> strayParts(const Crowd& crowd, const std::vector<std::uint8_t>& isStray,
+  double limit, Execution& execution)
+{
+  const std::size_t all = crowd.places.size();
+  const std::size_t largestClump = std::min(kClumpNeighbours * crowd.count, all / kClumpShare);
+  const auto parts = mutualParts(crowd, isStray);
+  const Ground ground(crowd, parts, largestClump + 1, execution);
+  std::vector<std::uint8_t> isMarked(all, 0);
+  for (const std::vector<Index>& part : parts)
+  {
+    if (part.size() > all / kCloudShare)
+    {
+      continue;
+    }
+    execution.step("outliers", 1, 1);
+    const bool isLonely = part.size() <= 2 &&
+      std::ranges::all_of(part, [&](Index place) { return crowd.ratio[place] > kLonely * limit; });
+    if (isLonely || isCloud(crowd, part, ground) ||
+      (part.size() <= largestClump && isFarFromOthers(crowd, part, isStray)))
+    {
+      std::ranges::for_each(part, [&](Index place) { isMarked[place] = 1; });
+    }
+  }
+  return isMarked;
 }
 
 } // namespace
@@ -210,47 +267,18 @@ OutlierResult findOutliers(std::span<const Vec3> points, std::span<const std::ui
   }
   const Crowd crowd(places, options.neighbours, execution);
   const double limit = limitOf(crowd.ratio, options.factor);
-  std::vector<std::uint8_t> isStray(places.size());
+  std::vector<std::uint8_t> isSingle(places.size());
   std::ranges::transform(
-    crowd.ratio, isStray.begin(), [&](double ratio) { return ratio > limit ? 1 : 0; });
-
-  const auto parts = mutualParts(crowd, isStray);
-  std::vector<std::uint8_t> isInClump(places.size(), 0);
-  const std::size_t largestClump =
-    std::min<std::size_t>(kClumpNeighbours * options.neighbours, places.size() / kClumpShare);
-  std::vector<std::uint8_t> isNoGround(places.size(), 1);
-  for (const std::vector<Index>& part : parts)
-  {
-    const bool isGround = part.size() > largestClump && crowd.isFull[part.front()] == 0;
-    std::ranges::for_each(part, [&](Index place) { isNoGround[place] = isGround ? 0 : 1; });
-  }
-  for (const std::vector<Index>& part : parts)
-  {
-    if (part.size() > places.size() / kCloudShare)
-    {
-      continue;
-    }
-    const bool isLonely = part.size() <= 2 &&
-      std::ranges::all_of(part, [&](Index place) { return crowd.ratio[place] > kLonely * limit; });
-    if (isLonely || isCloud(crowd, part, isNoGround) ||
-      (part.size() <= largestClump && isFarFromOthers(crowd, part, isStray)))
-    {
-      std::ranges::for_each(part, [&](Index place) { isInClump[place] = 1; });
-    }
-  }
+    crowd.ratio, isSingle.begin(), [&](double ratio) { return ratio > limit ? 1 : 0; });
+  const std::vector<std::uint8_t> isTogether = strayParts(crowd, isSingle, limit, execution);
   for (Index place = 0; place < places.size(); ++place)
   {
-    const auto here = places.pointsAt(place);
-    if ((isStray[place] == 0 && isInClump[place] == 0))
+    for (const Index point : places.pointsAt(place))
     {
-      continue;
-    }
-    for (const Index point : here)
-    {
-      if (inRegion[point] != 0)
+      if (inRegion[point] != 0 && (isSingle[place] != 0 || isTogether[place] != 0))
       {
         result.isStray[point] = 1;
-        ++(isStray[place] != 0 ? result.single : result.inClumps);
+        ++(isSingle[place] != 0 ? result.single : result.together);
       }
     }
   }

@@ -25,19 +25,24 @@ struct OutlierResult
 {
   std::vector<std::uint8_t> isStray; ///< per point
   std::size_t single = 0;            ///< stray points by themselves
-  std::size_t inClumps = 0;          ///< in clumps of few points far from everything
-  double largestRatio = 0.0;         ///< of the points that stay
+  std::size_t together = 0;          ///< stray points in clouds and clumps
 };
 
-/// Finds stray points without being told a distance. Per point the mean distance to its neighbours
-/// is compared with the median of theirs, so that a density that changes is no reason (as in the
-/// local outlier factor, Breunig et al. 2000). What was found no longer counts as a neighbour and
-/// the comparison is repeated until nothing more is found: so a diffuse cloud of stray points,
-/// which are neighbours of each other, is peeled. Clumps, too small to be a part of the scan, are
-/// found by the gap around them.
+/// Finds stray points without being told a distance:
+///
+/// - single points, whose neighbours are far compared with theirs: the mean distance is compared
+///   with the median of those of the neighbours, so that a density that changes is no reason (as in
+///   the local outlier factor, Breunig et al. 2000);
+/// - clouds: strays that are neighbours of each other. Places hang together when each is among the
+///   nearest of the other, at a like spacing, and both on a surface or both not. What hangs
+///   together and is no surface, or too small to tell, is stray when it is thin beside the surface
+///   nearby;
+/// - clumps of few points (up to 4 times `neighbours`, and a fiftieth of all) with a gap around
+/// them
+///   of eight times their spacing.
 ///
 /// Equal points are judged as one. Up to `neighbours` distinct points none is stray. Points outside
-/// the region count as neighbours and are never stray. About 3 s and 150 bytes a point for a
+/// the region count as neighbours and are never stray. About 3 s and 200 bytes a point for a
 /// million. Reports the phases "neighbours" and "outliers".
 /// @param inRegion per point 0 or 1
 /// @throws Error{badInput} for points that are not finite
