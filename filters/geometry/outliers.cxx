@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -15,12 +16,14 @@ namespace scan
 namespace
 {
 
-constexpr double kDeviations = 4.0;     // of the usual ratios, robustly measured
-constexpr double kLonely = 0.6;         // of the limit: for points that are nobody's neighbours
-constexpr double kGap = 8.0;            // spacings around a clump
-constexpr std::size_t kClumpNeighbours = 4;   // largest clump, in numbers of neighbours
-constexpr std::size_t kClumpShare = 50; // of all places, the inverse
-constexpr std::size_t kCloudShare = 4;  // largest cloud of strays, of all places, the inverse
+constexpr double kDeviations = 4.0; // of the usual ratios, robustly measured
+constexpr std::size_t kLonelySize = 2;
+constexpr double kLonely = 0.6;             // of the limit: for points that are nobody's neighbours
+constexpr double kOff = 0.5;                // of the distance to the nearest: off its surface
+constexpr double kGap = 8.0;                // spacings around a clump
+constexpr std::size_t kClumpNeighbours = 4; // largest clump, in numbers of neighbours
+constexpr std::size_t kClumpShare = 50;     // of all places, the inverse
+constexpr std::size_t kCloudShare = 4;      // largest cloud of strays, of all places, the inverse
 constexpr double kJump = 1.6; // of the spacing between neighbours that hang together, at most
 constexpr double kThin = 2.0; // spacings of the scan nearby: that of a cloud, at least
 constexpr double kFull = 0.1; // surface variation of a cloud, at least
@@ -100,10 +103,13 @@ double limitOf(const std::vector<double>& ratios, double factor)
   return std::max(factor, std::exp(middle + kDeviations * kNormal * quantile(logarithms, 0.5)));
 }
 
-/// The places that hang together because each is a neighbour of the other, largest part first.
-/// A stray point has neighbours on the scan, but those have nearer ones.
-std::vector<std::vector<Index>> mutualParts(
-  const Crowd& crowd, const std::vector<std::uint8_t>& isStray)
+using Part = std::vector<Index>;
+
+/// The places that hang together by links between neighbours.
+/// @param areLinked (place, its neighbour)
+template <class Condition>
+std::vector<Part> partsOf(
+  const Crowd& crowd, const std::vector<std::uint8_t>& isStray, const Condition& areLinked)
 {
   std::vector<Index> parent(crowd.places.size());
   std::iota(parent.begin(), parent.end(), Index{ 0 });
@@ -115,19 +121,11 @@ std::vector<std::vector<Index>> mutualParts(
     }
     return place;
   };
-  const std::size_t close = crowd.count / 2;
-  const auto areMutual = [&](Index a, Index b)
-  {
-    const auto nearB = crowd.nearOf(b).first(close);
-    const auto [low, high] = std::minmax(crowd.spacing[a], crowd.spacing[b]);
-    return crowd.isFull[a] == crowd.isFull[b] && high < kJump * low &&
-      std::ranges::find(nearB, a) != nearB.end();
-  };
   for (Index place = 0; place < parent.size(); ++place)
   {
-    for (const Index other : crowd.nearOf(place).first(close))
+    for (const Index other : crowd.nearOf(place))
     {
-      if (other < place && isStray[place] == 0 && isStray[other] == 0 && areMutual(place, other))
+      if (isStray[place] == 0 && isStray[other] == 0 && areLinked(place, other))
       {
         const Index a = rootOf(place);
         const Index b = rootOf(other);
@@ -135,7 +133,7 @@ std::vector<std::vector<Index>> mutualParts(
       }
     }
   }
-  std::vector<std::vector<Index>> parts(parent.size());
+  std::vector<Part> parts(parent.size());
   for (Index place = 0; place < parent.size(); ++place)
   {
     if (isStray[place] == 0)
@@ -143,14 +141,48 @@ std::vector<std::vector<Index>> mutualParts(
       parts[rootOf(place)].push_back(place);
     }
   }
-  std::erase_if(parts, [](const std::vector<Index>& part) { return part.empty(); });
-  std::ranges::stable_sort(parts,
-    [](const std::vector<Index>& a, const std::vector<Index>& b) { return a.size() > b.size(); });
+  std::erase_if(parts, [](const Part& part) { return part.empty(); });
   return parts;
 }
 
+/// What is alike and hangs together because each is among the nearest of the other. A stray point
+/// has neighbours on the scan, but those have nearer ones.
+std::vector<Part> mutualParts(const Crowd& crowd, const std::vector<std::uint8_t>& isStray)
+{
+  const std::size_t close = crowd.count / 2;
+  const auto isNear = [&](Index place, Index other)
+  {
+    const auto near = crowd.nearOf(place).first(close);
+    return std::ranges::find(near, other) != near.end();
+  };
+  return partsOf(crowd, isStray,
+    [&](Index a, Index b)
+    {
+      const auto [low, high] = std::minmax(crowd.spacing[a], crowd.spacing[b]);
+      return crowd.isFull[a] == crowd.isFull[b] && high < kJump * low && isNear(a, b) &&
+        isNear(b, a);
+    });
+}
+
+/// The distance to the second neighbour: one may be a twin.
+double closeSpacing(const Crowd& crowd, Index place)
+{
+  return length(crowd.places[crowd.nearOf(place)[1]] - crowd.places[place]);
+}
+
+/// What hangs together over gaps of less than kGap spacings.
+std::vector<Part> gapParts(const Crowd& crowd, const std::vector<std::uint8_t>& isStray)
+{
+  return partsOf(crowd, isStray,
+    [&](Index a, Index b)
+    {
+      const double gap = kGap * std::min(closeSpacing(crowd, a), closeSpacing(crowd, b));
+      return length(crowd.places[a] - crowd.places[b]) < gap;
+    });
+}
+
 template <class Measure>
-double quantileOf(const std::vector<Index>& part, double share, const Measure& measure)
+double quantileOf(const Part& part, double share, const Measure& measure)
 {
   std::vector<double> values(part.size());
   std::ranges::transform(part, values.begin(), measure);
@@ -158,16 +190,10 @@ double quantileOf(const std::vector<Index>& part, double share, const Measure& m
 }
 
 /// Whether only strays are near the part.
-bool isFarFromOthers(
-  const Crowd& crowd, const std::vector<Index>& part, const std::vector<std::uint8_t>& isStray)
+bool isFarFromOthers(const Crowd& crowd, const Part& part, const std::vector<std::uint8_t>& isStray)
 {
+  const double own = quantileOf(part, 0.5, [&](Index place) { return closeSpacing(crowd, place); });
   std::vector<Neighbour> found;
-  const auto nearestSpacing = [&](Index place)
-  {
-    const Vec3 d = crowd.places[crowd.nearOf(place)[1]] - crowd.places[place];
-    return length(d);
-  };
-  const double own = quantileOf(part, 0.5, nearestSpacing);
   return std::ranges::all_of(part,
     [&](Index place)
     {
@@ -175,7 +201,7 @@ bool isFarFromOthers(
       return std::ranges::all_of(found,
         [&](const Neighbour& other)
         {
-          const double gap = kGap * std::max(own, nearestSpacing(other.place));
+          const double gap = kGap * std::max(own, closeSpacing(crowd, other.place));
           return other.squaredDistance > gap * gap || std::ranges::binary_search(part, other.place);
         });
     });
@@ -185,11 +211,11 @@ bool isFarFromOthers(
 class Ground
 {
 public:
-  Ground(const Crowd& crowd, const std::vector<std::vector<Index>>& parts, std::size_t least,
-    Execution& execution)
+  Ground(
+    const Crowd& crowd, const std::vector<Part>& parts, std::size_t least, Execution& execution)
   {
     std::vector<Vec3> points;
-    for (const std::vector<Index>& part : parts)
+    for (const Part& part : parts)
     {
       if (part.size() >= least && crowd.isFull[part.front()] == 0)
       {
@@ -218,7 +244,7 @@ private:
 };
 
 /// Whether the part is no surface, or too small to tell, and thin beside the ground.
-bool isCloud(const Crowd& crowd, const std::vector<Index>& part, const Ground& ground)
+bool isCloud(const Crowd& crowd, const Part& part, const Ground& ground)
 {
   const auto thinness = [&](Index place)
   { return crowd.spacing[place] / ground.spacingNear(crowd.places[place]); };
@@ -226,30 +252,50 @@ bool isCloud(const Crowd& crowd, const std::vector<Index>& part, const Ground& g
     quantileOf(part, 0.5, thinness) > kThin;
 }
 
+/// Whether the place is off the plane of its neighbours, rather than at an end of the scan.
+bool isOffSurface(const Crowd& crowd, Index place)
+{
+  std::vector<Neighbour> others;
+  std::ranges::transform(crowd.nearOf(place), std::back_inserter(others),
+    [](Index other) {
+      return Neighbour{ other, 0.0 };
+    });
+  const LocalPlane plane = fitPlane(crowd.places, others);
+  const Vec3 toNearest = crowd.places[crowd.nearOf(place).front()] - crowd.places[place];
+  const double height = std::abs(dot(crowd.places[place] - plane.middle, plane.normal));
+  return height > kOff * length(toNearest);
+}
+
 /// Marks stray places that are neighbours of each other.
-std::vector<std::uint8_t> strayParts(const Crowd& crowd, const std::vector<std::uint8_t>& isStray,
-  double limit, Execution& execution)
+std::vector<std::uint8_t> strayParts(
+  const Crowd& crowd, const std::vector<std::uint8_t>& isStray, double limit, Execution& execution)
 {
   const std::size_t all = crowd.places.size();
   const std::size_t largestClump = std::min(kClumpNeighbours * crowd.count, all / kClumpShare);
-  const auto parts = mutualParts(crowd, isStray);
-  const Ground ground(crowd, parts, largestClump + 1, execution);
   std::vector<std::uint8_t> isMarked(all, 0);
-  for (const std::vector<Index>& part : parts)
+  const auto mark = [&](const std::vector<Part>& parts, std::size_t largest, const auto& isTold)
   {
-    if (part.size() > all / kCloudShare)
+    for (const Part& part : parts)
     {
-      continue;
+      if (part.size() <= largest && isTold(part))
+      {
+        std::ranges::for_each(part, [&](Index place) { isMarked[place] = 1; });
+      }
+      execution.step("parts", 0, 1); // only checks for cancel
     }
-    execution.step("outliers", 1, 1);
-    const bool isLonely = part.size() <= 2 &&
-      std::ranges::all_of(part, [&](Index place) { return crowd.ratio[place] > kLonely * limit; });
-    if (isLonely || isCloud(crowd, part, ground) ||
-      (part.size() <= largestClump && isFarFromOthers(crowd, part, isStray)))
+  };
+  const std::vector<Part> mutual = mutualParts(crowd, isStray);
+  const Ground ground(crowd, mutual, largestClump + 1, execution);
+  mark(mutual, all / kCloudShare, [&](const Part& part) { return isCloud(crowd, part, ground); });
+  mark(mutual, kLonelySize,
+    [&](const Part& part)
     {
-      std::ranges::for_each(part, [&](Index place) { isMarked[place] = 1; });
-    }
-  }
+      return std::ranges::all_of(part,
+        [&](Index place)
+        { return crowd.ratio[place] > kLonely * limit && isOffSurface(crowd, place); });
+    });
+  mark(gapParts(crowd, isStray), largestClump,
+    [&](const Part& part) { return isFarFromOthers(crowd, part, isStray); });
   return isMarked;
 }
 

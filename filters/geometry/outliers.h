@@ -32,7 +32,8 @@ struct OutlierResult
 ///
 /// - single points, whose neighbours are far compared with theirs: the mean distance is compared
 ///   with the median of those of the neighbours, so that a density that changes is no reason (as in
-///   the local outlier factor, Breunig et al. 2000);
+///   the local outlier factor, Breunig et al. 2000); points among the nearest of no other are told
+///   from 0.6 times the factor on when they are off the plane of their neighbours;
 /// - clouds: strays that are neighbours of each other. Places hang together when each is among the
 ///   nearest of the other, at a like spacing, and both on a surface or both not. What hangs
 ///   together and is no surface, or too small to tell, is stray when it is thin beside the surface
