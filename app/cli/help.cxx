@@ -75,7 +75,7 @@ std::string programHelp()
     "\noperations:\n";
   for (const Operation& operation : operationTable())
   {
-    text += fmt::format("  {:<14} {:<10} {}\n", operation.verb,
+    text += fmt::format("  {:<15} {:<10} {}\n", operation.verb,
       fmt::format("({})", nameOf(operation.stage)), operation.help);
   }
   text += "\noptions:\n";
