@@ -26,7 +26,7 @@ constexpr double kSameWay = 0.7;  // cosine between the normals of partners, at 
 constexpr double kFarAway = 3.0;  // medians
 constexpr double kSliding = 1e-9; // of the largest eigenvalue: nothing holds the surface
 constexpr double kRest = 1e-13;   // of the size of the scan: a motion that is none
-constexpr double kSwaying = 1e-6; // the same, once it no longer falls
+constexpr double kSwaying = 1e-5; // the same, once it no longer falls
 constexpr std::size_t kGrain = 1U << 8U;
 
 Eigen::Vector3d toEigen(const Vec3& v)

@@ -90,6 +90,16 @@ TEST(Align, RecoversAKnownMotionFromAPartialOverlap)
   EXPECT_NEAR(result.angleDegrees, 2.0 * std::atan(std::sqrt(0.0098)) * 180.0 / 3.14159265, 1e-3);
 }
 
+TEST(Align, NeedsAQuarterOfTheScanInCommon)
+{
+  const std::vector<Vec3> all = ring(pointSeed());
+  const std::vector<Vec3> fixed = where(all, [](const Vec3& p) { return p.x < 0.5; });
+  const std::vector<Vec3> target = where(all, [](const Vec3& p) { return p.x > 0.2; });
+  const std::vector<Vec3> moving = moved(target, inverse(kMotion));
+  const AlignResult result = run(moving, fixed);
+  EXPECT_LT(largestError(moving, result.motion, kMotion), 1e-6) << "SCAN_TEST_SEED=" << pointSeed();
+}
+
 TEST(Align, BringsOtherSamplesOfTheSameSurfaceTogether)
 {
   const std::vector<Vec3> fixed = where(ring(1), [](const Vec3& p) { return p.x < 0.5; });
