@@ -16,8 +16,9 @@ namespace scan
 namespace
 {
 
-constexpr std::size_t kLeast = 8;  // places for a quadric
-constexpr int kNormalRounds = 3;   // of filtering
+constexpr std::size_t kLeast = 8;                 // places for a quadric
+constexpr int kNormalRounds = 3;                  // of filtering
+constexpr std::size_t kLoops = 2 + kNormalRounds; // over all places in an iteration
 constexpr double kSoftAngle = 0.4; // radians between normals where a weight has fallen to 1/e
 constexpr int kFits = 3;           // of one quadric: what is far off counts less each time
 constexpr double kFar = 8.0;       // variances where a weight has fallen to 1/e
@@ -71,7 +72,9 @@ Terms fitQuadric(const std::vector<Terms>& terms, const std::vector<double>& hei
 class Surface
 {
 public:
-  Surface(const Neighbours& places, std::size_t neighbours, Execution& execution);
+  /// @param loop the next of kLoops
+  Surface(
+    const Neighbours& places, std::size_t neighbours, LoopOfPhase& loop, Execution& execution);
 
   /// How far the place is from the surface along its normal.
   double heightAt(Index place) const;
@@ -89,7 +92,7 @@ private:
     const double squaredAngle = 2.0 * (1.0 - cosine);
     return bell(squaredDistance + squaredAngle / (kSoftAngle * kSoftAngle));
   }
-  void filterNormals(Execution& execution);
+  void filterNormals(const LoopOfPhase& loop, Execution& execution);
 
   const Neighbours& Places;
   std::size_t Count;
@@ -98,14 +101,15 @@ private:
   std::vector<Vec3> Normals;
 };
 
-Surface::Surface(const Neighbours& places, std::size_t neighbours, Execution& execution)
+Surface::Surface(
+  const Neighbours& places, std::size_t neighbours, LoopOfPhase& loop, Execution& execution)
   : Places(places)
   , Count(std::min<std::size_t>(neighbours + 1, places.size()))
   , Near(places.size() * this->Count)
   , Reach(places.size())
   , Normals(places.size())
 {
-  parallelSteps(execution, "denoise", places.size(),
+  parallelSteps(execution, loop, places.size(),
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Neighbour> found;
@@ -122,14 +126,15 @@ Surface::Surface(const Neighbours& places, std::size_t neighbours, Execution& ex
     });
   for (int round = 0; round < kNormalRounds; ++round)
   {
-    this->filterNormals(execution);
+    ++loop.loop;
+    this->filterNormals(loop, execution);
   }
 }
 
-void Surface::filterNormals(Execution& execution)
+void Surface::filterNormals(const LoopOfPhase& loop, Execution& execution)
 {
   std::vector<Vec3> filtered(this->Normals.size());
-  parallelSteps(execution, "denoise", filtered.size(),
+  parallelSteps(execution, loop, filtered.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -205,11 +210,14 @@ DenoiseResult denoise(std::span<const Vec3> points, std::span<const std::uint8_t
   DenoiseResult result;
   result.points.assign(points.begin(), points.end());
   std::vector<std::uint8_t> isLimited(points.size(), 0);
-  for (int iteration = 0; iteration < options.iterations; ++iteration)
+  const auto iterations = static_cast<std::size_t>(options.iterations);
+  for (std::size_t iteration = 0; iteration < iterations; ++iteration)
   {
+    LoopOfPhase loop{ "denoise", iteration * kLoops, iterations * kLoops };
     const Neighbours places(result.points, execution);
-    const Surface surface(places, options.neighbours, execution);
-    parallelSteps(execution, "denoise", places.size(),
+    const Surface surface(places, options.neighbours, loop, execution);
+    ++loop.loop;
+    parallelSteps(execution, loop, places.size(),
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)

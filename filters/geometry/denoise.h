@@ -35,7 +35,7 @@ struct DenoiseResult
 /// normals only, so they stay as dense as they were.
 ///
 /// Points outside the region stay and count as neighbours. Equal points stay equal. Where fewer
-/// than eight distinct points or no plane suggest a surface, points stay. About 8 s an iteration
+/// than eight distinct points or no plane suggest a surface, points stay. About 7 s an iteration
 /// for a million points on two cores. Reports the phases "neighbours" and "denoise".
 /// @param inRegion per point 0 or 1
 /// @throws Error{badInput} for points that are not finite

@@ -183,16 +183,16 @@ void Neighbours::within(const Vec3& at, double radius, std::vector<Neighbour>& f
   std::ranges::sort(found, NearestSet::isNearer);
 }
 
-void parallelSteps(Execution& execution, std::string_view phase, std::size_t n,
+void parallelSteps(Execution& execution, const LoopOfPhase& loop, std::size_t n,
   const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
   for (std::size_t done = 0; done < n; done += kStep)
   {
-    execution.step(phase, done, n);
+    execution.step(loop.phase, loop.loop * n + done, loop.loops * n);
     execution.parallelFor(std::min(kStep, n - done), kGrain,
       [&](std::size_t begin, std::size_t end) { body(done + begin, done + end); });
   }
-  execution.step(phase, n, n);
+  execution.step(loop.phase, loop.loop + 1, loop.loops);
 }
 
 } // namespace scan

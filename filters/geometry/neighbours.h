@@ -63,8 +63,16 @@ private:
   std::unique_ptr<Tree> Search;
 };
 
+/// Of loops that make a phase, one after the other.
+struct LoopOfPhase
+{
+  std::string_view phase;
+  std::size_t loop = 0; ///< from 0
+  std::size_t loops = 1;
+};
+
 /// Calls body(begin, end) over [0, n) on all threads and reports progress of the phase on the way.
-void parallelSteps(Execution& execution, std::string_view phase, std::size_t n,
+void parallelSteps(Execution& execution, const LoopOfPhase& loop, std::size_t n,
   const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 } // namespace scan

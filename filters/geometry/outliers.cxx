@@ -62,7 +62,7 @@ Crowd::Crowd(const Neighbours& all, std::size_t neighbours, Execution& execution
   , ratio(all.size())
   , isFull(all.size())
 {
-  parallelSteps(execution, "outliers", all.size(),
+  parallelSteps(execution, { "outliers" }, all.size(),
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Neighbour> found;

@@ -107,7 +107,7 @@ std::vector<Link> Orientation::linksSurestFirst()
   const std::size_t count = this->Places.size();
   std::vector<Link> links(count * kLinks);
   std::vector<std::uint16_t> ranks(links.size());
-  parallelSteps(this->Run, "orient", count,
+  parallelSteps(this->Run, { "orient", 0, 2 }, count,
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Neighbour> found;
@@ -156,7 +156,7 @@ void Orientation::agree()
   {
     if (i % kCheck == 0)
     {
-      this->Run.step("orient", i, links.size());
+      this->Run.step("orient", links.size() + i, 2 * links.size());
     }
     const auto [rootA, isTurnedA] = this->find(links[i].a);
     const auto [rootB, isTurnedB] = this->find(links[i].b);
@@ -235,7 +235,7 @@ PointNormalResult pointNormals(
 {
   const Neighbours places(points, execution);
   std::vector<Place> planes(places.size());
-  parallelSteps(execution, "normals", places.size(),
+  parallelSteps(execution, { "normals" }, places.size(),
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Neighbour> found;

@@ -125,7 +125,7 @@ void thinByGrid(Selection& selection, const ThinOptions& options, Execution& exe
 std::vector<double> bending(const Neighbours& places, Execution& execution)
 {
   std::vector<double> bends(places.size());
-  parallelSteps(execution, "thin", places.size(),
+  parallelSteps(execution, { "thin" }, places.size(),
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Neighbour> found;
