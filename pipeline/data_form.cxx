@@ -559,7 +559,8 @@ DataForm formOf(vtkPolyData& model)
 
 Hash complexOf(const StoredForm& form)
 {
-  std::string hashes;
+  const auto duplicates = form.facts.find("duplicates");
+  std::string hashes = duplicates != form.facts.end() ? duplicates->second : "";
   for (const auto& [role, array] : form.arrays)
   {
     if (role.starts_with("complex."))

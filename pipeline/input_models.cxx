@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace scan
 {
@@ -119,17 +120,18 @@ void complete(
   }
 }
 
-void nameParts(vtkPolyData& merged, const std::vector<InputModel>& parts)
+/// The name of a file and the scan-point id behind its last point.
+using PartEnd = std::pair<std::string, vtkIdType>;
+
+void nameParts(vtkPolyData& merged, const std::vector<PartEnd>& parts)
 {
   vtkNew<vtkStringArray> names;
   vtkNew<vtkIdTypeArray> ends;
   names->SetName(arrays::kScanFileNames);
   ends->SetName(arrays::kScanFileEnds);
-  vtkIdType end = 0;
-  for (const InputModel& part : parts)
+  for (const auto& [name, end] : parts)
   {
-    end += part.data->GetNumberOfPoints();
-    names->InsertNextValue(std::filesystem::path(part.name).filename().string());
+    names->InsertNextValue(std::filesystem::path(name).filename().string());
     ends->InsertNextValue(end);
   }
   merged.GetFieldData()->AddArray(names);
@@ -223,8 +225,48 @@ InputModel mergeModels(const std::vector<InputModel>& parts)
   {
     bridge::setUnit(*merged, unit);
   }
-  nameParts(*merged, parts);
+  std::vector<PartEnd> ends;
+  vtkIdType end = 0;
+  for (const InputModel& part : parts)
+  {
+    ends.emplace_back(part.name, end += part.data->GetNumberOfPoints());
+  }
+  nameParts(*merged, ends);
   return { merged, parts.front().name, note };
+}
+
+InputModel appendModel(const InputModel& model, InputModel part)
+{
+  std::vector<vtkIdType> ids = bridge::scanPointIdsOf(*model.data);
+  vtkIdType next = ids.empty() ? 0 : *std::ranges::max_element(ids) + 1;
+  std::vector<PartEnd> ends;
+  const std::vector<bridge::ScanFile> files = bridge::scanFilesOf(*model.data);
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    vtkDataArray* const known = model.data->GetFieldData()->GetArray(arrays::kScanFileEnds);
+    ends.emplace_back(
+      files[i].name, static_cast<vtkIdType>(known->GetTuple1(static_cast<vtkIdType>(i))));
+  }
+  if (ends.empty() || next > ends.back().second)
+  {
+    ends.emplace_back(ends.empty() ? "model" : "added points", next);
+  }
+  next = ends.back().second; // which may be behind points that were removed
+
+  const double unit = bridge::unitOf(*model.data);
+  if (unit > 0.0 && bridge::unitOf(*part.data) == 0.0)
+  {
+    part = withUnit(std::move(part), unit);
+  }
+  InputModel merged = mergeModels({ model, part });
+  for (vtkIdType i = 0; i < part.data->GetNumberOfPoints(); ++i)
+  {
+    ids.push_back(next++);
+  }
+  ends.emplace_back(part.name, next);
+  bridge::setScanPointIds(*merged.data, ids);
+  nameParts(*merged.data, ends);
+  return merged;
 }
 
 } // namespace scan

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "readers/affine.h"
+#include "filters/geometry/affine.h"
 #include "readers/transforms.h"
 
 #include <vtkSmartPointer.h>
@@ -54,5 +54,13 @@ InputModel placed(InputModel model, const Affine& place);
 /// @throws Error{badInput} when only some of the parts have a unit; Error{limit} for more points
 ///   than Index can count
 InputModel mergeModels(const std::vector<InputModel>& parts);
+
+/// The model with the points and cells of one more file behind its own, as mergeModels() merges. A
+/// part without a unit is taken to be in that of the model. Scan-point ids and the files they come
+/// from go on behind those of the model; what a model of a single file comes from is called
+/// "model", and points that were added since are a file of their own, "added points".
+///
+/// @throws Error{badInput} when only the part has a unit; Error{limit} as mergeModels()
+InputModel appendModel(const InputModel& model, InputModel part);
 
 } // namespace scan

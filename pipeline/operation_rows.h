@@ -17,6 +17,7 @@ namespace scan
 // The rows of the operation table, by stage, and what they are written with.
 
 std::vector<Operation> regionOperations();
+std::vector<Operation> pointOperations();
 std::vector<Operation> wrapOperations();
 std::vector<Operation> analysisOperations();
 

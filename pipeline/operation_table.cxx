@@ -23,10 +23,11 @@ const std::vector<Operation>& operationTable()
 {
   static const std::vector<Operation> kTable = []
   {
-    std::vector<Operation> table = wrapOperations();
-    std::ranges::copy(regionOperations(), std::inserter(table, table.begin()));
-    const std::vector<Operation> analysis = analysisOperations();
-    table.insert(table.end(), analysis.begin(), analysis.end());
+    std::vector<Operation> table = pointOperations();
+    for (const auto& rows : { regionOperations(), wrapOperations(), analysisOperations() })
+    {
+      table.insert(table.end(), rows.begin(), rows.end());
+    }
     return table;
   }();
   return kTable;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/geometry/affine.h"
 #include "filters/geometry/mesh.h"
-#include "readers/affine.h"
 #include "readers/xml_scanner.h"
 
 #include <cstdint>

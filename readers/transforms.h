@@ -3,7 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
-#include "readers/affine.h"
+#include "filters/geometry/affine.h"
 
 #include <span>
 #include <string>

@@ -64,7 +64,7 @@ std::string outputOptions()
 
 std::string verbLine(const Operation& operation)
 {
-  return fmt::format("  {:<14} {:<10} {}\n", operation.verb,
+  return fmt::format("  {:<15} {:<10} {}\n", operation.verb,
     fmt::format("({})", nameOf(operation.stage)), operation.help);
 }
 

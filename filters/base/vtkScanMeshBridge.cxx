@@ -175,17 +175,23 @@ Polylines polylinesOf(vtkPolyData& data)
   return lines;
 }
 
+vtkSmartPointer<vtkDoubleArray> tuplesOf(const std::vector<Vec3>& vectors, const char* name)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
+  if (!vectors.empty())
+  {
+    std::memcpy(array->GetPointer(0), vectors.data(), sizeof(Vec3) * vectors.size());
+  }
+  return array;
+}
+
 void setPoints(vtkPolyData& output, const std::vector<Vec3>& positions)
 {
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
-  if (!positions.empty())
-  {
-    std::memcpy(coordinates->GetPointer(0), positions.data(), sizeof(Vec3) * positions.size());
-  }
   vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
+  points->SetData(tuplesOf(positions, "Points"));
   output.SetPoints(points);
 }
 
@@ -394,15 +400,7 @@ Model modelOf(vtkPolyData& data)
         [](double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0)); });
     }
   }
-  if (vtkDataArray* array = attributes.GetNormals(); isTriple(array))
-  {
-    model.normals.resize(model.points.size());
-    for (std::size_t i = 0; i < model.normals.size(); ++i)
-    {
-      const auto [x, y, z] = tuple(array, i);
-      model.normals[i] = { x, y, z };
-    }
-  }
+  model.normals = normalsOf(data);
   model.millimetresPerUnit = unitOf(data);
   return model;
 }
@@ -429,12 +427,7 @@ void setModel(vtkPolyData& output, const Model& model)
   }
   if (!model.normals.empty())
   {
-    vtkNew<vtkDoubleArray> normals;
-    normals->SetName(arrays::kNormals);
-    normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(count);
-    std::memcpy(normals->GetPointer(0), model.normals.data(), sizeof(Vec3) * model.normals.size());
-    output.GetPointData()->SetNormals(normals);
+    setNormals(output, model.normals);
   }
   if (model.millimetresPerUnit > 0.0)
   {
@@ -487,6 +480,38 @@ void keepTriangles(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtk
   }
   output.SetPolys(cellsOf<3>(triangles, mesh.points.size()));
   copyData(*input.GetCellData(), *cells, *output.GetCellData());
+}
+
+void movePoints(vtkPolyData& input, const std::vector<Vec3>& points, vtkPolyData& output)
+{
+  output.Initialize();
+  output.CopyStructure(&input);
+  setPoints(output, points);
+  output.GetPointData()->ShallowCopy(input.GetPointData());
+  output.GetCellData()->ShallowCopy(input.GetCellData());
+}
+
+std::vector<Vec3> normalsOf(vtkPolyData& data)
+{
+  vtkDataArray* const array = data.GetPointData()->GetNormals();
+  if (array == nullptr || array->GetNumberOfComponents() != 3 ||
+    array->GetNumberOfTuples() != data.GetNumberOfPoints())
+  {
+    return {};
+  }
+  std::vector<Vec3> normals(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    std::array<double, 3> n{};
+    array->GetTuple(static_cast<vtkIdType>(i), n.data());
+    normals[i] = { n[0], n[1], n[2] };
+  }
+  return normals;
+}
+
+void setNormals(vtkPolyData& output, const std::vector<Vec3>& normals)
+{
+  output.GetPointData()->SetNormals(tuplesOf(normals, arrays::kNormals));
 }
 
 double unitOf(vtkDataObject& data)
@@ -543,19 +568,33 @@ std::vector<ScanFile> scanFilesOf(vtkPolyData& data)
     return {};
   }
   std::vector<ScanFile> files(static_cast<std::size_t>(ends->GetNumberOfTuples()));
-  std::vector<vtkIdType> behind;
-  for (vtkIdType i = 0; i < ends->GetNumberOfTuples(); ++i)
+  for (std::size_t i = 0; i < files.size(); ++i)
   {
-    files[static_cast<std::size_t>(i)].name = names->GetValue(i);
+    files[i].name = names->GetValue(static_cast<vtkIdType>(i));
+  }
+  for (const Index file : scanFileOfPoints(data))
+  {
+    if (file < files.size())
+    {
+      ++files[file].points;
+    }
+  }
+  return files;
+}
+
+std::vector<Index> scanFileOfPoints(vtkPolyData& data)
+{
+  vtkDataArray* const ends = data.GetFieldData()->GetArray(arrays::kScanFileEnds);
+  std::vector<vtkIdType> behind;
+  for (vtkIdType i = 0; ends != nullptr && i < ends->GetNumberOfTuples(); ++i)
+  {
     behind.push_back(static_cast<vtkIdType>(ends->GetTuple1(i)));
   }
+  std::vector<Index> files;
   for (const vtkIdType id : scanPointIdsOf(data))
   {
     const auto file = std::ranges::upper_bound(behind, id);
-    if (file != behind.end())
-    {
-      ++files[static_cast<std::size_t>(file - behind.begin())].points;
-    }
+    files.push_back(file != behind.end() ? static_cast<Index>(file - behind.begin()) : kNone);
   }
   return files;
 }

@@ -64,6 +64,16 @@ void keepPoints(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPol
 /// @throws Error as meshOf(), also for lines
 void keepTriangles(vtkPolyData& input, std::span<const std::uint8_t> isKept, vtkPolyData& output);
 
+/// Makes `output` what `input` is, with its cells and data, in other places.
+/// @param points as many as `input` has
+void movePoints(vtkPolyData& input, const std::vector<Vec3>& points, vtkPolyData& output);
+
+/// The normals of the points of `data`; none when it has none.
+std::vector<Vec3> normalsOf(vtkPolyData& data);
+
+/// Sets the normals of the points of `output`.
+void setNormals(vtkPolyData& output, const std::vector<Vec3>& normals);
+
 /// The unit of the coordinates of `data` in millimetres; 0 when it has none.
 double unitOf(vtkDataObject& data);
 
@@ -86,6 +96,10 @@ struct ScanFile
 
 /// The files that make `data`; none for a model that comes from a single one.
 std::vector<ScanFile> scanFilesOf(vtkPolyData& data);
+
+/// Per point the place among scanFilesOf() of the file that it comes from; kNone for points that
+/// come from none.
+std::vector<Index> scanFileOfPoints(vtkPolyData& data);
 
 /// Sets the ScanPointId array of `output`.
 void setScanPointIds(vtkPolyData& output, std::span<const vtkIdType> ids);

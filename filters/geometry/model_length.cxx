@@ -20,4 +20,11 @@ double inModelUnits(const Length& length, std::span<const Vec3> points, double m
   return length.resolve(scale);
 }
 
+double inModelUnitsOrZero(
+  const Length& length, std::span<const Vec3> points, double millimetresPerUnit)
+{
+  const bool hasExtent = BoundingBox(points).diagonal() > 0.0;
+  return hasExtent ? inModelUnits(length, points, millimetresPerUnit) : 0.0;
+}
+
 } // namespace scan

@@ -15,4 +15,9 @@ namespace scan
 /// @param millimetresPerUnit 0: unknown, counts as 1
 double inModelUnits(const Length& length, std::span<const Vec3> points, double millimetresPerUnit);
 
+/// The same for operations that points without extent leave nothing to do: their relative lengths
+/// are 0.
+double inModelUnitsOrZero(
+  const Length& length, std::span<const Vec3> points, double millimetresPerUnit);
+
 } // namespace scan

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <random>
 
 namespace scan::test
 {
@@ -71,6 +73,39 @@ TEST(FrontWrap, StopsWhenCancelledOnTheWay)
   Execution execution(1, token, [&](std::string_view, double) { token.cancel(); });
   execution.plan({ { "front", 1.0 } });
   EXPECT_THROW(frontWrap(spherePoints(2000), execution), Cancelled);
+}
+
+TEST(FrontWrap, IsTheSameWhereverItsMemoryLies)
+{
+  // a grid: all its triangles have the same radius
+  std::vector<Vec3> points;
+  for (int i = 0; i < 400; ++i)
+  {
+    points.push_back({ static_cast<double>(i % 20), static_cast<double>(i / 20), 0.0 });
+    points.push_back({ static_cast<double>(i % 20), static_cast<double>(i / 20), 5.0 });
+  }
+  const auto sorted = [&]
+  {
+    Execution execution;
+    std::vector<Triangle> triangles = frontWrap(points, execution);
+    for (Triangle& triangle : triangles)
+    {
+      std::ranges::sort(triangle);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+  };
+  const std::vector<Triangle> first = sorted();
+  std::mt19937 random(1);
+  std::vector<std::unique_ptr<char[]>> blocks(3000);
+  for (int run = 0; run < 10; ++run)
+  {
+    for (auto& block : blocks) // leaves holes of all sizes, which are filled in any order
+    {
+      block = random() % 2 == 0 ? std::make_unique<char[]>(16 + random() % 300) : nullptr;
+    }
+    EXPECT_EQ(sorted(), first) << run;
+  }
 }
 
 } // namespace

@@ -160,3 +160,38 @@ TEST(InputModels, ArePlacedByALineOfTheirOwn)
   EXPECT_THROW(list.placeOf("c.ply"), Error);
   EXPECT_THROW(TransformList(folder.file("none")), Error);
 }
+
+TEST(InputModels, AreAppendedBehindWhatWasMergedAddedAndRemoved)
+{
+  InputModel model = mergeModels({ inputOf("a.ply", triangle()), inputOf("b.ply", triangle()) });
+  // the last point of b is gone, one was added
+  bridge::setScanPointIds(*model.data, std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 6 });
+  const InputModel appended = appendModel(model, inputOf("in/c.ply", triangle()));
+  EXPECT_EQ(
+    bridge::scanPointIdsOf(*appended.data), (std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 6, 7, 8, 9 }));
+  const std::vector<bridge::ScanFile> files = bridge::scanFilesOf(*appended.data);
+  ASSERT_EQ(files.size(), 4U);
+  EXPECT_EQ(files[1].name, "b.ply");
+  EXPECT_EQ(files[1].points, 2U);
+  EXPECT_EQ(files[2].name, "added points");
+  EXPECT_EQ(files[2].points, 1U);
+  EXPECT_EQ(files[3].name, "c.ply");
+  EXPECT_EQ(files[3].points, 3U);
+  EXPECT_EQ(modelOf(appended).triangles.size(), 3U);
+}
+
+TEST(InputModels, AreAppendedToAModelOfASingleFile)
+{
+  Model thinned = triangle(25.4);
+  const InputModel model = inputOf("", thinned);
+  bridge::setScanPointIds(*model.data, std::vector<vtkIdType>{ 5, 1, 3 });
+  const InputModel appended = appendModel(model, inputOf("b.ply", triangle()));
+  EXPECT_EQ(bridge::scanPointIdsOf(*appended.data), (std::vector<vtkIdType>{ 5, 1, 3, 6, 7, 8 }));
+  const std::vector<bridge::ScanFile> files = bridge::scanFilesOf(*appended.data);
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].name, "model");
+  EXPECT_EQ(files[0].points, 3U);
+  EXPECT_EQ(files[1].points, 3U);
+  EXPECT_EQ(modelOf(appended).millimetresPerUnit, 25.4);
+  EXPECT_THROW(appendModel(inputOf("", triangle()), inputOf("b.ply", triangle(1.0))), Error);
+}
