@@ -25,6 +25,8 @@ namespace
 using State = vtkScanOutcome::State;
 
 constexpr const char* kOpen = "open";
+constexpr const char* kFiles = "files"; ///< its parameter
+constexpr const char* kFile = "file";   ///< of operations that read another file
 
 Execution executionFor(const RunOptions& options)
 {
@@ -73,6 +75,21 @@ TextList locate(const std::vector<ReadFile>& files)
     }
   }
   return paths;
+}
+
+/// The files that a step with these parameters reads.
+std::vector<ReadFile> filesOf(
+  const std::string& verb, const ParameterValues& values, const CancelToken& token)
+{
+  if (verb == kOpen)
+  {
+    return Import(values, token).describe();
+  }
+  const auto file = values.find(kFile);
+  const auto* const path = file != values.end() ? std::get_if<std::string>(&file->second) : nullptr;
+  return path != nullptr && !path->empty()
+    ? std::vector<ReadFile>{ describeFile(*path, formatToRead(*path, token).name) }
+    : std::vector<ReadFile>();
 }
 
 std::optional<StepId> numberIn(const std::string& text)
@@ -324,14 +341,14 @@ StepResult Document::rerun(const Step& step, const RunOptions& options)
       ParameterTexts parameters = step.parameters;
       if (!step.files.empty())
       {
-        parameters["files"] = textOf(locate(step.files));
+        parameters[step.verb == kOpen ? kFiles : kFile] = textOf(locate(step.files));
       }
       return this->runOn(step.parent, step.verb, parameters, options);
     });
 }
 
 void Document::keep(StepId parent, const std::string& verb, const ParameterValues& values,
-  const std::vector<ReadFile>& files, StepResult& result, const RunOptions& options)
+  StepResult& result, const RunOptions& options)
 {
   auto* const model = vtkPolyData::SafeDownCast(result.output);
   Step step;
@@ -344,7 +361,7 @@ void Document::keep(StepId parent, const std::string& verb, const ParameterValue
   step.note = result.note;
   step.program = SCAN_VERSION;
   step.finished = timeText();
-  step.files = files;
+  step.files = this->HasHashes ? filesOf(verb, values, options.token) : std::vector<ReadFile>();
   Execution execution = executionFor(options);
   execution.plan({ { "store", 1.0 } });
   if (!this->NewFile.empty())
@@ -383,8 +400,7 @@ StepResult Document::import(
       StepResult result = files.run(options, listener);
       if (result.outcome.state == State::ok)
       {
-        this->keep(0, kOpen, completeValues(openParameters(), values, kOpen),
-          this->HasHashes ? files.describe() : std::vector<ReadFile>(), result, options);
+        this->keep(0, kOpen, completeValues(openParameters(), values, kOpen), result, options);
       }
       return result;
     });
@@ -406,7 +422,7 @@ StepResult Document::apply(
       StepResult result = runOperation(operation, values, *input, options);
       if (isStep && result.outcome.state == State::ok)
       {
-        this->keep(this->Current, operation.verb, values, {}, result, options);
+        this->keep(this->Current, operation.verb, values, result, options);
       }
       return result;
     });
@@ -443,11 +459,7 @@ Replay Document::edit(StepId id, const ParameterTexts& changes, const RunOptions
         result = guardedStep(
           [&]
           {
-            const ParameterValues values = parseValues(step.verb, texts);
-            const std::vector<ReadFile> files = step.verb == kOpen
-              ? Import(values, options.token).describe()
-              : std::vector<ReadFile>();
-            this->keep(parent->second, step.verb, values, files, result, options);
+            this->keep(parent->second, step.verb, parseValues(step.verb, texts), result, options);
             return result;
           });
       }

@@ -128,7 +128,7 @@ private:
     const RunOptions& options);
   StepResult rerun(const Step& step, const RunOptions& options);
   void keep(StepId parent, const std::string& verb, const ParameterValues& values,
-    const std::vector<ReadFile>& files, StepResult& result, const RunOptions& options);
+    StepResult& result, const RunOptions& options);
   void hold(StepId step, vtkSmartPointer<vtkPolyData> result);
   void trim();
 

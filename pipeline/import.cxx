@@ -172,24 +172,29 @@ StepResult Import::run(const RunOptions& options, const Listener& listener) cons
   return merging;
 }
 
-std::vector<ReadFile> Import::describe() const
+ReadFile describeFile(const std::string& path, const std::string& format)
 {
   namespace fs = std::filesystem;
+  ReadFile file;
+  file.path = path;
+  file.format = format;
+  if (path != "-")
+  {
+    std::error_code ignored;
+    file.place = fs::absolute(path, ignored).string();
+    file.bytes = static_cast<std::int64_t>(fs::file_size(path, ignored));
+    file.modified = timeTextOfFile(path);
+    file.hash = textOf(hashOfFile(path));
+  }
+  return file;
+}
+
+std::vector<ReadFile> Import::describe() const
+{
   std::vector<ReadFile> files;
   for (std::size_t i = 0; i < this->Paths.size(); ++i)
   {
-    ReadFile file;
-    file.path = this->Paths[i];
-    file.format = this->Formats[i]->name;
-    if (file.path != "-")
-    {
-      std::error_code ignored;
-      file.place = fs::absolute(file.path, ignored).string();
-      file.bytes = static_cast<std::int64_t>(fs::file_size(file.path, ignored));
-      file.modified = timeTextOfFile(file.path);
-      file.hash = textOf(hashOfFile(file.path));
-    }
-    files.push_back(std::move(file));
+    files.push_back(describeFile(this->Paths[i], this->Formats[i]->name));
   }
   return files;
 }

@@ -22,6 +22,9 @@ const std::vector<Parameter>& readParameters();
 /// The parameters of the step "open": these, and "files", a TextList.
 const std::vector<Parameter>& openParameters();
 
+/// What a file is now, with the hash of its content; standard input has none. Throws Error io.
+ReadFile describeFile(const std::string& path, const std::string& format);
+
 /// Files that become one model.
 class Import
 {
@@ -42,8 +45,7 @@ public:
   /// @param listener may be null
   StepResult run(const RunOptions& options, const Listener& listener) const;
 
-  /// What the files are now, with the hashes of their contents; standard input has none.
-  /// @throws Error io
+  /// What the files are now; see describeFile().
   std::vector<ReadFile> describe() const;
 
 private:

@@ -5,25 +5,44 @@
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
+#include <functional>
 #include <iterator>
+#include <tuple>
+#include <utility>
 
 namespace scan
 {
 namespace
 {
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// The library's default priority of a triangle, but never the same for two of them: between equal
-/// ones it would decide by their places in memory, which differ from run to run. Asked for every
-/// candidate: the place to cancel.
-class DistinctPriority
+/// The library's vertex under a name of our own, for the order of border edges below.
+template <class Traits, class Base = CGAL::Triangulation_vertex_base_3<Traits>>
+class FrontVertex : public CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Traits, Base>
+{
+  using Super = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Traits, Base>;
+
+public:
+  template <class Structure>
+  struct Rebind_TDS
+  {
+    using Other = FrontVertex<Traits, typename Base::template Rebind_TDS<Structure>::Other>;
+  };
+  using Super::Super;
+};
+
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel,
+  CGAL::Triangulation_data_structure_3<FrontVertex<Kernel>,
+    CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>>>;
+using WaitingEdge = Triangulation::Vertex::Radius_ptr_type; ///< the value and the edge
+
+/// The library's default priority of a triangle, asked for every candidate: the place to cancel.
+class CancellablePriority
 {
 public:
-  explicit DistinctPriority(Execution& execution)
+  explicit CancellablePriority(Execution& execution)
     : Run(&execution)
   {
   }
@@ -35,38 +54,34 @@ public:
     {
       this->Run->step("front", 1, 3); // throws
     }
-    constexpr double kTooSmallToSee = 1e-6; // relative
-    return reconstruction.smallest_radius_delaunay_sphere(cell, index) *
-      (1.0 + kTooSmallToSee * this->fraction(cell, index));
+    return reconstruction.smallest_radius_delaunay_sphere(cell, index);
   }
 
 private:
-  /// A number from 0 to 1 that depends on the vertices of the triangle alone.
-  template <class Cell>
-  static double fraction(Cell& cell, int index)
-  {
-    std::array<std::uint64_t, 3> ids{};
-    for (int k = 0; k < 3; ++k)
-    {
-      ids.at(static_cast<std::size_t>(k)) =
-        static_cast<std::uint64_t>(cell->vertex((index + 1 + k) % 4)->id());
-    }
-    std::ranges::sort(ids);
-    std::uint64_t mixed = 0;
-    for (const std::uint64_t id : ids) // SplitMix64
-    {
-      mixed += id + 0x9e3779b97f4a7c15U;
-      mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
-      mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
-      mixed ^= mixed >> 31U;
-    }
-    return static_cast<double>(mixed) * 0x1p-64;
-  }
-
   Execution* Run;
 };
 
 } // namespace
+} // namespace scan
+
+/// Border edges of equal value come in the order of their points; the library takes that of their
+/// places in memory, which differ from run to run.
+template <>
+struct std::less<scan::WaitingEdge>
+{
+  bool operator()(const scan::WaitingEdge& a, const scan::WaitingEdge& b) const
+  {
+    const auto key = [](const scan::WaitingEdge& edge)
+    {
+      const auto& [cell, i, j] = edge.second->first.first;
+      return std::tuple(edge.first, cell->vertex(i)->id(), cell->vertex(j)->id());
+    };
+    return key(a) < key(b);
+  }
+};
+
+namespace scan
+{
 
 std::vector<Triangle> frontWrap(std::span<const Vec3> points, Execution& execution)
 {
@@ -76,15 +91,18 @@ std::vector<Triangle> frontWrap(std::span<const Vec3> points, Execution& executi
   {
     return {};
   }
-  std::vector<Point> input;
+  std::vector<std::pair<Kernel::Point_3, std::size_t>> input;
   input.reserve(points.size());
   for (const Vec3& p : points)
   {
-    input.emplace_back(p.x, p.y, p.z);
+    input.emplace_back(Kernel::Point_3(p.x, p.y, p.z), input.size());
   }
+  Triangulation triangulation(input.begin(), input.end());
+  CGAL::Advancing_front_surface_reconstruction<Triangulation, CancellablePriority> front(
+    triangulation, CancellablePriority(execution));
+  front.run();
   std::vector<std::array<std::size_t, 3>> found;
-  CGAL::advancing_front_surface_reconstruction(
-    input.begin(), input.end(), std::back_inserter(found), DistinctPriority(execution));
+  CGAL::write_triple_indices(std::back_inserter(found), front);
   execution.step("front", 2, 3);
   std::vector<Triangle> triangles;
   triangles.reserve(found.size());

@@ -20,6 +20,8 @@ namespace scan
 /// @param points finite and distinct, such as DelaunayComplex::points
 /// @return empty for fewer than three points
 /// @throws Cancelled while the front advances; the triangulation before it cannot be interrupted.
+/// Equal edges of the front are taken in a fixed order, but on points that lie on few lines and
+/// planes the library may still come out different from run to run.
 /// Sequential, about 20 s and 1.5 kB a point per million points. Reports phase "front".
 /// Cohen-Steiner, Da, "A greedy Delaunay-based surface reconstruction algorithm" (2004).
 std::vector<Triangle> frontWrap(std::span<const Vec3> points, Execution& execution);

@@ -75,7 +75,7 @@ TEST(FrontWrap, StopsWhenCancelledOnTheWay)
   EXPECT_THROW(frontWrap(spherePoints(2000), execution), Cancelled);
 }
 
-TEST(FrontWrap, IsTheSameWhereverItsMemoryLies)
+TEST(FrontWrap, OfAGridIsTheSameWhereverItsMemoryLies)
 {
   // a grid: all its triangles have the same radius
   std::vector<Vec3> points;

@@ -245,6 +245,21 @@ TEST(Document, SaysWhenAFileHasChangedSince)
   EXPECT_EQ(document.verify({}).size(), 2U);
 }
 
+TEST(Document, RemembersFilesThatAreMerged)
+{
+  const std::string folder = testFolder();
+  const std::string file = folder + "/a.xyz";
+  std::filesystem::copy_file(sampleFile("helix.xyz"), file);
+  Document document;
+  expectOk(import(document, { sampleFile("torus.xyz") }));
+  expectOk(apply(document, "merge", { { "file", file } }));
+  ASSERT_EQ(document.step(2).files.size(), 1U);
+  EXPECT_EQ(document.step(2).files[0].hash, textOf(hashOfFile(file)));
+  EXPECT_TRUE(document.verify({}).empty());
+  std::ofstream(file, std::ios::app) << "1 2 3\n";
+  EXPECT_EQ(document.verify({}).size(), 1U);
+}
+
 TEST(Document, ResultsShareMemoryUnderTheBudget)
 {
   Document document(std::int64_t{ 1 } << 30U);
