@@ -3,6 +3,7 @@
 #include "pipeline/data_form.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/wrap_delta.h"
 #include "filters/wrap/vtkScanWrapData.h"
 
 #include <vtkAbstractArray.h>
@@ -177,7 +178,12 @@ public:
     arrays["complex.tetrahedra"] = arrayForm("uint32", 4, complex.tetrahedra, model.scan);
     arrays["complex.mirror"] = arrayForm("uint32", 4, complex.mirror, model.scan);
     arrays["wrap.start"] = arrayForm("uint8", 1, model.start->bytes(), model.start);
-    arrays["wrap.current"] = arrayForm("uint8", 1, model.current->bytes(), model.current);
+    if (!(*model.current == *model.start))
+    {
+      auto delta = std::make_shared<const std::vector<std::uint8_t>>(
+        deltaOf(*model.start, *model.current, model.scan->basins()));
+      arrays["wrap.delta"] = arrayForm("uint8", 1, *delta, delta);
+    }
     static_assert(sizeof(CriticalEdge) == 4 * sizeof(Index));
     arrays["wrap.lines"] = arrayForm("uint32", 4, *model.lines, model.lines);
     if (model.inside)
@@ -290,16 +296,9 @@ public:
     WrapModel model;
     model.scan = this->complex(complexes, execution);
     const FlowComplex& flow = model.scan->flow();
-    const auto state = [&](const char* role, const char* follows)
-    {
-      return std::make_shared<const WrapComplex>(
-        flow, this->values<std::vector<std::uint8_t>>(role), this->isTrue(follows));
-    };
-    model.start = state("wrap.start", "start-follows-flow");
-    model.current = this->at("wrap.start").hash == this->at("wrap.current").hash &&
-        this->isTrue("start-follows-flow") == this->isTrue("current-follows-flow")
-      ? model.start
-      : state("wrap.current", "current-follows-flow");
+    model.start = std::make_shared<const WrapComplex>(flow,
+      this->values<std::vector<std::uint8_t>>("wrap.start"), this->isTrue("start-follows-flow"));
+    model.current = this->currentState(model);
     model.lines = std::make_shared<const std::vector<CriticalEdge>>(this->lines(flow.delaunay()));
     if (this->has("wrap.inside"))
     {
@@ -448,6 +447,23 @@ private:
     auto made = std::make_shared<const ScanComplex>(std::move(complex), execution);
     loaded = made;
     return made;
+  }
+
+  std::shared_ptr<const WrapComplex> currentState(const WrapModel& model) const
+  {
+    const bool followsFlow = this->isTrue("current-follows-flow");
+    if (!this->has("wrap.delta"))
+    {
+      if (followsFlow == model.start->followsFlow())
+      {
+        return model.start;
+      }
+      auto same = std::make_shared<WrapComplex>(*model.start);
+      same->setFollowsFlow(followsFlow);
+      return same;
+    }
+    return std::make_shared<const WrapComplex>(applyDelta(*model.start,
+      this->values<std::vector<std::uint8_t>>("wrap.delta"), model.scan->basins(), followsFlow));
   }
 
   std::vector<CriticalEdge> lines(const DelaunayComplex& complex) const

@@ -52,8 +52,9 @@ struct ArrayForm
 /// A polygonal model has "points", "verts", "lines", "polys" and "strips", the latter four as
 /// NAME.offsets and NAME.connectivity, and "point-data:NAME", "cell-data:NAME", "field-data:NAME".
 /// A wrap has "complex.points", "complex.scan-points", "complex.tetrahedra", "complex.mirror",
-/// "wrap.start", "wrap.current", "wrap.lines", "wrap.inside", "wrap.input-ids" instead of the
-/// surface, which follows from them. Arrays without values may be missing.
+/// "wrap.start", "wrap.delta", "wrap.lines", "wrap.inside", "wrap.input-ids" instead of the
+/// surface, which follows from them; no delta where the first and the current state are equal, see
+/// wrap_delta.h. Arrays without values may be missing.
 struct DataForm
 {
   std::string kind; ///< "polydata" or "wrap"

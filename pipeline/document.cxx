@@ -41,18 +41,18 @@ bool onlyLooks(const Operation& operation, const ParameterValues& values)
     (preview != values.end() && preview->second == ParameterValue(true));
 }
 
-/// Bytes of a result in memory, without those that are counted already.
-std::int64_t bytesOf(vtkPolyData& result, std::set<const char*>& counted)
+/// Bytes of a result in memory, about; what results share is counted once.
+std::int64_t bytesOf(vtkPolyData& result, std::set<const ScanComplex*>& counted)
 {
-  std::int64_t bytes = 0;
-  for (const auto& [role, array] : formOf(result).arrays)
+  constexpr std::int64_t kKilobyte = 1024;
+  constexpr std::int64_t kBytesOfTet = 60; // of a complex and what it brings with it
+  std::int64_t bytes = kKilobyte * static_cast<std::int64_t>(result.GetActualMemorySize());
+  const auto* const wrap = vtkScanWrapData::SafeDownCast(&result);
+  const auto scan = wrap != nullptr ? wrap->GetModel().scan : nullptr;
+  if (scan)
   {
-    if (!array.bytes.empty() && counted.insert(array.bytes.data()).second)
-    {
-      // what a complex brings with it takes about as much again
-      bytes +=
-        static_cast<std::int64_t>(array.bytes.size()) * (role.starts_with("complex.") ? 2 : 1);
-    }
+    const std::int64_t tets = scan->delaunay().tetCount();
+    bytes += tets * (counted.insert(scan.get()).second ? kBytesOfTet : 1);
   }
   return bytes;
 }
@@ -257,7 +257,7 @@ void Document::hold(StepId step, vtkSmartPointer<vtkPolyData> result)
 
 void Document::trim()
 {
-  std::set<const char*> counted;
+  std::set<const ScanComplex*> counted;
   std::int64_t bytes = 0;
   if (const auto current = this->Results.find(this->Current); current != this->Results.end())
   {

@@ -153,7 +153,7 @@ TEST(ProjectFile, FindsDamage)
   runSql(path,
     "UPDATE chunk SET code = substr(code, 1, 9) || x'00' || substr(code, 11) WHERE id = "
     "(SELECT chunk FROM array_chunk JOIN result_array USING (array) JOIN step USING (result) "
-    " WHERE role = 'wrap.current' AND step.id = 3)");
+    " WHERE role = 'wrap.delta' AND step.id = 3)");
   EXPECT_EQ(ProjectFile(path).findDamage(execution), (std::vector<StepId>{ 3 }));
   EXPECT_NE(
     errorOf([&] { Document::open(path).result(3, {}); }).find("--salvage"), std::string::npos);
