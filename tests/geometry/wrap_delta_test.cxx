@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace scan::test
@@ -56,7 +57,15 @@ TEST(WrapDelta, LeadsToAnyState)
 TEST(WrapDelta, OfAPushIsAlikeOverWholeBasins)
 {
   Execution execution;
-  WrapModel model = wrapOf(pointSets(1).front());
+  PointSet sphere{ "sphere", 1, {} };
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 800; ++i)
+  {
+    const Vec3 p{ normal(random), normal(random), normal(random) };
+    sphere.points.push_back(p * (1.0 / std::sqrt(dot(p, p))));
+  }
+  WrapModel model = wrapOf(sphere);
   const WrapComplex before = *model.current;
   const auto boundary = surfaceOf(model, true, execution).facets;
   ASSERT_FALSE(boundary.empty());
@@ -64,8 +73,8 @@ TEST(WrapDelta, OfAPushIsAlikeOverWholeBasins)
   const std::vector<std::uint8_t> delta = deltaOf(before, *model.current, model.scan->basins());
   const auto turns = std::ranges::count_if(
     delta, [&](const std::uint8_t& byte) { return &byte != delta.data() && byte != *(&byte - 1); });
-  EXPECT_GT(std::ranges::count(delta, 16), 100);
-  EXPECT_LE(turns, static_cast<std::ptrdiff_t>(delta.size()) / 10);
+  EXPECT_GT(std::ranges::count(delta, 16), 1000);
+  EXPECT_LE(turns, 20);
 }
 
 TEST(WrapDelta, RefusesOthers)
