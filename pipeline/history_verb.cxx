@@ -154,6 +154,19 @@ HistoryAnswer saveTemplate(const Request& request)
     .isListing = true };
 }
 
+HistoryAnswer keepTemplate(const Request& request)
+{
+  ProjectFile* const project = request.document.project();
+  if (project == nullptr)
+  {
+    throw Error(ErrorCode::badParameter,
+      "there is no project to keep a template in; write it to a file: --save-template=FILE");
+  }
+  const std::string name = request.text("keep-template");
+  project->keepText("template", name, textOf(recipeOf(request.document, request.step())));
+  return { .results = { { "template", name } } };
+}
+
 HistoryAnswer verify(const Request& request)
 {
   HistoryAnswer answer;
@@ -197,6 +210,10 @@ const std::vector<Action>& actions()
         .defaultValue = "",
         .help = "write the operations that lead to the step to this file, for --template" },
       saveTemplate },
+    { { .name = "keep-template",
+        .defaultValue = "",
+        .help = "keep them in the project by this name, for --template=PROJECT.wrp:NAME" },
+      keepTemplate },
     { { .name = "verify",
         .defaultValue = false,
         .help = "do all steps again and compare the results; status 3 if one is different" },

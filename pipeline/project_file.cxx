@@ -41,7 +41,7 @@ constexpr const char* kSchemaSql = R"(
 PRAGMA page_size = 16384;
 PRAGMA auto_vacuum = INCREMENTAL;
 PRAGMA application_id = 0x53575250;
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 CREATE TABLE project (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE chunk (
   id INTEGER PRIMARY KEY, hash BLOB NOT NULL UNIQUE, size INTEGER NOT NULL, code BLOB NOT NULL);
@@ -66,10 +66,20 @@ CREATE TABLE read_file (
   step INTEGER NOT NULL REFERENCES step, number INTEGER NOT NULL, path TEXT NOT NULL,
   place TEXT NOT NULL, format TEXT NOT NULL, bytes INTEGER NOT NULL, modified TEXT NOT NULL,
   hash TEXT NOT NULL, PRIMARY KEY (step, number)) WITHOUT ROWID;
-CREATE TABLE template (name TEXT PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE kept_text (
+  kind TEXT NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, PRIMARY KEY (kind, name)) WITHOUT ROWID;
 CREATE VIEW region AS SELECT id AS step, json_extract(parameters, '$.name') AS name,
   json_extract(parameters, '$.rule') AS rule FROM step WHERE verb = 'select';
 INSERT INTO project VALUES ('current', NULL);
+)";
+
+// Projects of schema 1 kept templates only
+constexpr const char* kSchema2Sql = R"(
+CREATE TABLE kept_text (
+  kind TEXT NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, PRIMARY KEY (kind, name)) WITHOUT ROWID;
+INSERT INTO kept_text SELECT 'template', name, text FROM template;
+DROP TABLE template;
+PRAGMA user_version = 2;
 )";
 
 constexpr const char* kStepColumns =
@@ -245,6 +255,7 @@ ProjectFile::ProjectFile(const std::string& path)
   {
     this->Data.execute("PRAGMA journal_mode = DELETE; PRAGMA synchronous = EXTRA; "
                        "PRAGMA foreign_keys = ON; PRAGMA cache_size = -32768");
+    this->migrate();
   }
 }
 
@@ -260,12 +271,23 @@ void ProjectFile::check()
     throw Error(
       ErrorCode::parse, this->path() + ": is an SQLite database, but no Scanwrap project");
   }
-  const std::int64_t schema = pragma("PRAGMA user_version");
-  if (schema > kSchema)
+  this->Schema = pragma("PRAGMA user_version");
+  if (this->Schema > kSchema)
   {
     throw Error(ErrorCode::parse,
-      this->path() + ": was made by a newer Scanwrap (schema " + std::to_string(schema) +
+      this->path() + ": was made by a newer Scanwrap (schema " + std::to_string(this->Schema) +
         ", this one knows " + std::to_string(kSchema) + "); update the program");
+  }
+}
+
+void ProjectFile::migrate()
+{
+  if (this->Schema < 2)
+  {
+    Transaction transaction(this->Data);
+    this->Data.execute(kSchema2Sql);
+    transaction.commit();
+    this->Schema = 2;
   }
 }
 
@@ -596,10 +618,15 @@ vtkSmartPointer<vtkPolyData> ProjectFile::readResult(
     complexes, execution);
 }
 
-std::map<std::string, std::string> ProjectFile::templates() const
+std::map<std::string, std::string> ProjectFile::texts(const std::string& kind) const
 {
   std::map<std::string, std::string> texts;
-  Statement rows = this->Data.prepare("SELECT name, text FROM template");
+  if (this->Schema < 2)
+  {
+    return texts; // an older project that can only be read
+  }
+  Statement rows = this->Data.prepare("SELECT name, text FROM kept_text WHERE kind = ?");
+  rows.with(std::string_view(kind));
   while (rows.next())
   {
     texts[rows.text(0)] = rows.text(1);
@@ -607,11 +634,12 @@ std::map<std::string, std::string> ProjectFile::templates() const
   return texts;
 }
 
-void ProjectFile::setTemplate(const std::string& name, const std::string& text)
+void ProjectFile::keepText(
+  const std::string& kind, const std::string& name, const std::string& text)
 {
   this->checkWritable();
-  this->Data.prepare("INSERT OR REPLACE INTO template VALUES (?, ?)")
-    .with(std::string_view(name), std::string_view(text))
+  this->Data.prepare("INSERT OR REPLACE INTO kept_text VALUES (?, ?, ?)")
+    .with(std::string_view(kind), std::string_view(name), std::string_view(text))
     .run();
 }
 
@@ -778,9 +806,12 @@ private:
     try
     {
       current = this->Source.current();
-      for (const auto& [name, text] : this->Source.templates())
+      for (const char* const kind : { "template", "view" })
       {
-        this->Target->setTemplate(name, text);
+        for (const auto& [name, text] : this->Source.texts(kind))
+        {
+          this->Target->keepText(kind, name, text);
+        }
       }
     }
     catch (const Error&)
@@ -805,6 +836,7 @@ ProjectFile::ProjectFile(const std::string& path, Salvage)
   : Guard(path)
   , ReadOnly("it is being salvaged")
   , Data(path, Database::Access::damaged)
+  , Schema(kSchema)
 {
 }
 

@@ -40,7 +40,7 @@ bool isProjectName(const std::string& path);
 class ProjectFile
 {
 public:
-  static constexpr int kSchema = 1;
+  static constexpr int kSchema = 2;
 
   /// Whether a file that starts so is a project, of this or another version.
   static bool looksLike(std::span<const char> head);
@@ -91,9 +91,10 @@ public:
   vtkSmartPointer<vtkPolyData> readResult(
     StepId step, LoadedComplexes& complexes, Execution& execution) const;
 
-  /// Texts that the user keeps with the project, by name: templates.
-  std::map<std::string, std::string> templates() const;
-  void setTemplate(const std::string& name, const std::string& text);
+  /// Texts that the user keeps with the project, by name.
+  /// @param kind "template" (see recipe.h) or "view" (as in the rules of regions)
+  std::map<std::string, std::string> texts(const std::string& kind) const;
+  void keepText(const std::string& kind, const std::string& name, const std::string& text);
 
   /// Reads and checks everything; the steps whose results are damaged.
   std::vector<StepId> findDamage(Execution& execution) const;
@@ -123,6 +124,7 @@ private:
   ProjectFile(const std::string& path, Salvage);
 
   void check();
+  void migrate();
 
   StoredForm formOfResult(std::int64_t result) const;
   void readArray(
@@ -135,6 +137,7 @@ private:
   Lock Guard; // closed after the database: closing any descriptor of a file drops SQLite's locks
   std::string ReadOnly;
   Database Data;
+  std::int64_t Schema = 0;
 };
 
 } // namespace scan

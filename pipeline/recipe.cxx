@@ -187,9 +187,20 @@ Recipe parseRecipe(std::string_view text, const std::string& name)
   return parser.recipe();
 }
 
-Recipe readRecipe(const std::string& path)
+Recipe readRecipe(const std::string& place)
 {
-  const MappedFile file(path);
+  const std::size_t colon = place.rfind(':');
+  if (colon != std::string::npos && isProjectName(place.substr(0, colon)))
+  {
+    const auto kept = ProjectFile(place.substr(0, colon)).texts("template");
+    const auto found = kept.find(place.substr(colon + 1));
+    if (found == kept.end())
+    {
+      throw Error(ErrorCode::badParameter, place + ": there is no such template in the project");
+    }
+    return parseRecipe(found->second, place);
+  }
+  const MappedFile file(place);
   return parseRecipe({ file.bytes().data(), file.bytes().size() }, file.name());
 }
 

@@ -36,7 +36,7 @@ std::string textOf(const Recipe& recipe);
 /// @throws Error parse with the line
 Recipe parseRecipe(std::string_view text, const std::string& name);
 
-/// The recipe in a file. Throws Error io, parse.
-Recipe readRecipe(const std::string& path);
+/// The recipe in a file, or as PROJECT.wrp:NAME in a project. Throws Error io, parse, badParameter.
+Recipe readRecipe(const std::string& place);
 
 } // namespace scan

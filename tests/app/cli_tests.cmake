@@ -97,6 +97,8 @@ scan_cli_test(FailedRunKeepsItsSteps "scanwrap $DATA/plate_hole.xyz wrap push --
 scan_cli_test(SecondProgramReads "${plate} -o a.wrp; python3 -c 'import fcntl, os, struct, time; fcntl.fcntl(os.open(\"a.wrp\", os.O_RDWR), 37, struct.pack(\"hhqqi\", 1, 0, 1 << 62, 1, 0)); time.sleep(20)' & sleep 1; scanwrap a.wrp info; scanwrap a.wrp flatten 2>&1; echo status $?; kill $!; sleep 0.2; scanwrap a.wrp flatten 2>&1"
   OUT "triangles +9908\n.*scanwrap: flatten: a.wrp: nothing can be saved: another program has it open; work on a copy: -o COPY.wrp\nstatus 1\nscanwrap: flatten: nothing changed")
 scan_cli_test(TemplateIsRun "${plate} -o a.wrp && scanwrap a.wrp history --save-template=t.txt && scanwrap $DATA/plate_hole.xyz --template=t.txt info" OUT "triangles +9908\n.*genus +1\n")
+scan_cli_test(TemplateIsKept "${plate} -o a.wrp && scanwrap a.wrp history --keep-template=plate && scanwrap $DATA/plate_hole.xyz --template=a.wrp:plate info" OUT "genus +1\n")
+scan_cli_test(TemplateThatIsNotKept "${plate} -o a.wrp && scanwrap $DATA/plate_hole.xyz --template=a.wrp:other info" EXIT 2 ERR "no such template")
 scan_cli_test(TemplateThatIsNone "scanwrap $DATA/torus.xyz --template=$DATA/torus.xyz info" EXIT 2 ERR "line 1: is no template")
 scan_cli_test(BatchTellsTheTruth "cp $DATA/torus.xyz a.xyz; cp $DATA/helix.xyz b.xyz; echo 1 2 x > c.xyz; scanwrap --batch='*.xyz' wrap -o 'out_{name}.stl' --jobs=2 --progress=none"
   EXIT 1 FILES out_a.stl out_b.stl ERR "see the table"

@@ -122,6 +122,28 @@ TEST(ProjectFile, RefusesNewerSchemas)
   EXPECT_NE(errorOf([&] { ProjectFile project(path); }).find("newer Scanwrap"), std::string::npos);
 }
 
+TEST(ProjectFile, BringsOlderSchemasUpToItsOwn)
+{
+  const std::string path = testFolder() + "/a.wrp";
+  const std::vector<Hash> dumps = makePlateProject(path);
+  runSql(path,
+    "DROP TABLE kept_text; CREATE TABLE template (name TEXT PRIMARY KEY, text TEXT NOT NULL) "
+    "WITHOUT ROWID; INSERT INTO template VALUES ('old', 'scanwrap template 1'); "
+    "PRAGMA user_version = 1");
+  {
+    std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+    const ProjectFile first(path); // root may write all the same
+    EXPECT_EQ(first.texts("view").size(), 0U);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  }
+  ProjectFile(path).keepText("view", "side", "left");
+  const ProjectFile project(path);
+  EXPECT_EQ(project.texts("template").at("old"), "scanwrap template 1");
+  EXPECT_EQ(project.texts("view").at("side"), "left");
+  EXPECT_EQ(integrityOf(path), "ok");
+  EXPECT_EQ(expectRight(path, dumps), 4U);
+}
+
 TEST(ProjectFile, HoldsWhatItsDocumentationSays)
 {
   const std::string path = testFolder() + "/a.wrp";
