@@ -3,15 +3,11 @@
 #include "filters/geometry/region_adjacency.h"
 
 #include "filters/geometry/half_edges.h"
-#include "filters/geometry/parallel_sort.h"
+#include "filters/geometry/neighbours.h"
 #include "filters/geometry/union_find.h"
-
-#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
 namespace scan
 {
@@ -22,27 +18,6 @@ constexpr std::size_t kSpacingRank = 8;
 constexpr double kReach = 2.0; // local spacings
 constexpr std::size_t kGrain = 1 << 12;
 constexpr std::size_t kBetweenSteps = 1 << 16;
-
-/// Points as the search wants to see them.
-struct Places
-{
-  const std::vector<Vec3>& points;
-
-  std::size_t kdtree_get_point_count() const { return this->points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const
-  {
-    const Vec3& p = this->points[i];
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const
-  {
-    return false;
-  }
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Places>,
-  Places, 3, std::size_t>;
 
 /// Adds the corners of triangles that are not there, as long as there are few.
 void addCorners(const TriMesh& mesh, std::span<const Index> triangles, std::vector<Index>& found)
@@ -80,54 +55,43 @@ RegionAdjacency::RegionAdjacency(const TriMesh& mesh, RegionElements elements, E
 
 void RegionAdjacency::joinPlaces(Execution& execution)
 {
-  const std::vector<Vec3>& points = this->Mesh.points;
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), Index{ 0 });
-  const auto key = [&](Index i) { return std::tuple(points[i].x, points[i].y, points[i].z, i); };
-  sortInParallel(order, execution, [&](Index a, Index b) { return key(a) < key(b); });
-  this->PlaceOf.resize(points.size());
-  std::vector<Vec3> places;
-  for (const Index i : order)
+  const Neighbours places(this->Mesh.points, execution);
+  this->PlaceOf.resize(this->Mesh.points.size());
+  for (Index place = 0; place < places.size(); ++place)
   {
-    if (places.empty() || !(places.back() == points[i]))
+    for (const Index point : places.pointsAt(place))
     {
-      places.push_back(points[i]);
+      this->PlaceOf[point] = place;
     }
-    this->PlaceOf[i] = static_cast<Index>(places.size() - 1);
   }
-  this->AtPlace = Incidence(
-    places.size(), points.size(), [&](std::size_t i, auto&& visit) { visit(this->PlaceOf[i]); });
+  this->AtPlace = Incidence(places.size(), this->PlaceOf.size(),
+    [&](std::size_t i, auto&& visit) { visit(this->PlaceOf[i]); });
   this->findNearest(places, execution);
 }
 
-void RegionAdjacency::findNearest(const std::vector<Vec3>& places, Execution& execution)
+void RegionAdjacency::findNearest(const Neighbours& places, Execution& execution)
 {
-  const Places seen{ places };
-  const Tree tree(3, seen, nanoflann::KDTreeSingleIndexAdaptorParams(12));
   std::vector<double> spacing2(places.size());
   this->NearTo.resize(places.size());
   execution.parallelFor(places.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
-      std::array<std::size_t, kNearest + 1> found{};
-      std::array<double, kNearest + 1> distance2{};
-      for (std::size_t i = begin; i < end; ++i)
+      std::vector<Neighbour> found;
+      for (auto i = static_cast<Index>(begin); i < end; ++i)
       {
-        const std::array<double, 3> at{ places[i].x, places[i].y, places[i].z };
-        const std::size_t count =
-          tree.knnSearch(at.data(), found.size(), found.data(), distance2.data());
-        spacing2[i] = distance2[std::min(kSpacingRank, count - 1)];
+        places.nearest(places[i], kNearest + 1, found);
+        spacing2[i] = found[std::min(kSpacingRank, found.size() - 1)].squaredDistance;
         this->NearTo[i].fill(kNone);
-        for (std::size_t k = 1; k < count; ++k) // the first is the place itself
+        for (std::size_t k = 1; k < found.size(); ++k) // the first is the place itself
         {
-          this->NearTo[i][k - 1] = static_cast<Index>(found[k]);
+          this->NearTo[i][k - 1] = found[k].place;
         }
       }
     });
   execution.parallelFor(places.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      for (auto i = static_cast<Index>(begin); i < end; ++i)
       {
         const auto isFar = [&](Index other)
         {

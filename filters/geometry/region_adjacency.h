@@ -13,6 +13,8 @@
 namespace scan
 {
 
+class Neighbours;
+
 /// What a region consists of.
 enum class RegionElements
 {
@@ -51,7 +53,7 @@ private:
   using Nearest = std::array<Index, kNearest>;
 
   void joinPlaces(Execution& execution);
-  void findNearest(const std::vector<Vec3>& places, Execution& execution);
+  void findNearest(const Neighbours& places, Execution& execution);
   bool isScan() const { return this->Mesh.triangles.empty(); }
   std::size_t elements() const;
   std::size_t joints() const;
