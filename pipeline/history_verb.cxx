@@ -167,6 +167,30 @@ HistoryAnswer keepTemplate(const Request& request)
   return { .results = { { "template", name } } };
 }
 
+HistoryAnswer check(const Request& request)
+{
+  const ProjectFile* const project = request.document.project();
+  if (project == nullptr)
+  {
+    throw Error(ErrorCode::badParameter, "there is no project to check; make one with -o NAME.wrp");
+  }
+  Execution execution(request.options.threads, request.options.token, request.options.progress);
+  execution.plan({ { "read", 1.0 } });
+  HistoryAnswer answer;
+  answer.isListing = true;
+  for (const StepId step : project->findDamage(execution))
+  {
+    answer.text += "the result of step " + std::to_string(step) + " is damaged\n";
+    answer.hasFailedCheck = true;
+  }
+  if (!answer.hasFailedCheck)
+  {
+    answer.text = "every result is as it was stored\n";
+  }
+  answer.results = { { "whole", !answer.hasFailedCheck } };
+  return answer;
+}
+
 HistoryAnswer verify(const Request& request)
 {
   HistoryAnswer answer;
@@ -214,6 +238,10 @@ const std::vector<Action>& actions()
         .defaultValue = "",
         .help = "keep them in the project by this name, for --template=PROJECT.wrp:NAME" },
       keepTemplate },
+    { { .name = "check",
+        .defaultValue = false,
+        .help = "read every result and compare it with its hash; status 3 if one is damaged" },
+      check },
     { { .name = "verify",
         .defaultValue = false,
         .help = "do all steps again and compare the results; status 3 if one is different" },

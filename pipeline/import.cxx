@@ -3,6 +3,7 @@
 #include "pipeline/import.h"
 
 #include "filters/base/error.h"
+#include "filters/base/note.h"
 #include "filters/base/unit.h"
 #include "pipeline/hash.h"
 #include "pipeline/operation_rows.h"
@@ -123,7 +124,7 @@ StepResult Import::read(std::size_t file, const RunOptions& options) const
     model = placed(std::move(model), this->Transforms->placeOf(path));
   }
   step.output = model.data;
-  step.note += (step.note.empty() || model.note.empty() ? "" : "; ") + model.note;
+  addToNote(step.note, model.note);
   addCounts(step);
   return step;
 }
@@ -148,7 +149,7 @@ StepResult Import::run(const RunOptions& options, const Listener& listener) cons
     }
     if (!step.note.empty())
     {
-      all.note.append(all.note.empty() ? "" : "; ").append(this->Paths[i] + ": " + step.note);
+      addToNote(all.note, this->Paths[i] + ": " + step.note);
     }
     parts.push_back({ vtkPolyData::SafeDownCast(step.output), this->Paths[i], {} });
   }
@@ -167,7 +168,8 @@ StepResult Import::run(const RunOptions& options, const Listener& listener) cons
   }
   merging.seconds = all.seconds;
   merging.peakBytes = all.peakBytes;
-  merging.note = all.note + (all.note.empty() || merging.note.empty() ? "" : "; ") + merging.note;
+  addToNote(all.note, merging.note);
+  merging.note = all.note;
   addCounts(merging);
   return merging;
 }

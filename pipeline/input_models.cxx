@@ -3,6 +3,7 @@
 #include "pipeline/input_models.h"
 
 #include "filters/base/error.h"
+#include "filters/base/note.h"
 #include "filters/base/unit.h"
 #include "filters/base/vtkScanArrayNames.h"
 #include "filters/base/vtkScanMeshBridge.h"
@@ -208,7 +209,7 @@ InputModel mergeModels(const std::vector<InputModel>& parts)
     fitting.push_back(converted(part, unit));
     if (!isSameUnit(bridge::unitOf(*part.data), unit))
     {
-      note += (note.empty() ? "" : "; ") + fitting.back().note;
+      addToNote(note, fitting.back().note);
     }
   }
   complete<vtkUnsignedCharArray>(fitting, arrays::kColors, vtkDataSetAttributes::SCALARS, 255);

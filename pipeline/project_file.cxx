@@ -3,6 +3,7 @@
 #include "pipeline/project_file.h"
 
 #include "filters/base/error.h"
+#include "filters/base/note.h"
 #include "pipeline/array_codec.h"
 #include "pipeline/form_hash.h"
 #include "pipeline/json_text.h"
@@ -786,8 +787,7 @@ private:
     }
     if (step.parent != 0 && !this->Saved.contains(step.parent))
     {
-      step.note += std::string(step.note.empty() ? "" : "; ") + "step " +
-        std::to_string(step.parent) + " before it was lost";
+      addToNote(step.note, "step " + std::to_string(step.parent) + " before it was lost");
       step.parent = 0;
     }
     Transaction transaction(this->Target->Data);

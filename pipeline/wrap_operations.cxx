@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/base/error.h"
+#include "filters/base/note.h"
 #include "filters/wrap/vtkScanFineTuneFilter.h"
 #include "filters/wrap/vtkScanFlattenFilter.h"
 #include "filters/wrap/vtkScanPullFilter.h"
@@ -33,7 +34,7 @@ std::string wrapNote(vtkAlgorithm& filter)
   const WrapReport& report = as<vtkScanWrapFilter>(filter).GetReport();
   const Index distinct = report.pointsRead - report.duplicatesMerged;
   std::string note;
-  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  const auto add = [&](const std::string& text) { addToNote(note, text); };
   if (report.duplicatesMerged > 0)
   {
     add(std::to_string(report.duplicatesMerged) + " of " + std::to_string(report.pointsRead) +

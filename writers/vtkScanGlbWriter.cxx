@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/vtkScanGlbWriter.h"
 
+#include "filters/base/note.h"
 #include "writers/glb.h"
 #include "writers/single_precision.h"
 #include "writers/unit_note.h"
@@ -25,9 +26,12 @@ void vtkScanGlbWriter::Format(const scan::Model& model, const scan::FormatTraits
 
 std::string vtkScanGlbWriter::NoteOn(const scan::Model& model) const
 {
-  const std::string unit = scan::noteOnUnit(model);
-  return model.curves.size() <= scan::kMostGlbCurves
-    ? unit
-    : unit + (unit.empty() ? "" : "; ") + std::to_string(model.curves.size()) +
-      " curves are written as loose segments, which glTF programs draw faster";
+  std::string note = scan::noteOnUnit(model);
+  if (model.curves.size() > scan::kMostGlbCurves)
+  {
+    scan::addToNote(note,
+      std::to_string(model.curves.size()) +
+        " curves are written as loose segments, which glTF programs draw faster");
+  }
+  return note;
 }

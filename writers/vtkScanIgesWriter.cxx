@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/vtkScanIgesWriter.h"
+
+#include "filters/base/note.h"
 #include "writers/unit_note.h"
 
 #include <vtkObjectFactory.h>
@@ -25,7 +27,7 @@ std::string vtkScanIgesWriter::NoteOn(const scan::Model& model) const
   constexpr std::size_t kMany = 50000;
   const std::size_t triangles = model.triangles.size();
   std::string note = scan::noteOnUnit(model);
-  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  const auto add = [&](const std::string& text) { scan::addToNote(note, text); };
   if (this->Entities == scan::IgesEntities::points)
   {
     if (!model.isScan())

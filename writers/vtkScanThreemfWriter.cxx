@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/vtkScanThreemfWriter.h"
 
+#include "filters/base/note.h"
 #include "filters/geometry/half_edges.h"
 #include "writers/single_precision.h"
 #include "writers/threemf.h"
@@ -27,9 +28,12 @@ void vtkScanThreemfWriter::Format(const scan::Model& model, const scan::FormatTr
 
 std::string vtkScanThreemfWriter::NoteOn(const scan::Model& model) const
 {
-  const std::string unit = scan::noteOnUnit(model);
-  const scan::Index open = scan::pairEdges(model).boundaryEdges;
-  return open == 0 ? unit
-                   : unit + (unit.empty() ? "" : "; ") + "the surface is open at " +
-      std::to_string(open) + " edges, and 3MF is for solids: programs may close or refuse it";
+  std::string note = scan::noteOnUnit(model);
+  if (const scan::Index open = scan::pairEdges(model).boundaryEdges; open > 0)
+  {
+    scan::addToNote(note,
+      "the surface is open at " + std::to_string(open) +
+        " edges, and 3MF is for solids: programs may close or refuse it");
+  }
+  return note;
 }

@@ -6,6 +6,7 @@
 #include "app/cli/record.h"
 #include "app/cli/terminal_progress.h"
 #include "filters/base/error.h"
+#include "filters/base/note.h"
 #include "pipeline/document.h"
 #include "pipeline/file_head.h"
 #include "pipeline/history_verb.h"
@@ -466,8 +467,7 @@ private:
     this->Progress.start("save");
     values.emplace("file", path);
     StepResult saved = runAlgorithm(*writer, data, this->Options);
-    const std::string losses = lossesOf(format, *model);
-    saved.note += (saved.note.empty() || losses.empty() ? "" : "; ") + losses;
+    addToNote(saved.note, lossesOf(format, *model));
     this->finish("save", values, saved, ExitStatus::failed);
     this->note(saved.note, path);
   }

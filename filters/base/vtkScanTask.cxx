@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/base/vtkScanTask.h"
 
+#include "filters/base/note.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
 
@@ -82,5 +84,5 @@ int vtkScanTask::RunGuarded(
 
 void vtkScanTask::AddNote(const std::string& text)
 {
-  this->Note += (this->Note.empty() || text.empty() ? "" : "; ") + text;
+  scan::addToNote(this->Note, text);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/base/note.h"
 #include "filters/geometry/mesh.h"
 
 #include <array>
@@ -28,10 +29,7 @@ struct Model : TriMesh
   bool isScan() const { return this->triangles.empty() && this->curves.empty(); }
 
   /// An empty text adds nothing.
-  void addNote(const std::string& text)
-  {
-    this->note += (this->note.empty() || text.empty() ? "" : "; ") + text;
-  }
+  void addNote(const std::string& text) { addToNote(this->note, text); }
 };
 
 } // namespace scan

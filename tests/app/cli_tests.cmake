@@ -84,6 +84,9 @@ scan_cli_test(StepsAreCompared "${plate} -o out.wrp && scanwrap out.wrp history 
   OUT "only b  3  push --at=0,0,0 --deep\nsame +no\n.*triangles-b +9908\n.*mean-deviation-a-to-b +0")
 scan_cli_test(BranchIsDeleted "${plate} -o out.wrp && scanwrap out.wrp history --delete=2 history" FILES out.wrp OUT "[*] 1  open [^\n]*\n$")
 scan_cli_test(ProjectIsVerified "${plate} -o out.wrp && scanwrap out.wrp history --verify" FILES out.wrp OUT "all 3 steps come out the same")
+scan_cli_test(ProjectIsChecked "${plate} -o out.wrp && scanwrap out.wrp history --check" FILES out.wrp OUT "every result is as it was stored")
+scan_cli_test(CheckTellsDamage "${plate} -o a.wrp && python3 -c 'd = open(\"a.wrp\", \"rb\").read(); i = len(d) * 2 // 3; open(\"out.wrp\", \"wb\").write(d[:i] + b\"damaged\" + d[i + 7:])' && scanwrap out.wrp history --check"
+  FILES out.wrp EXIT 3 OUT "the result of step [0-9] is damaged" ERR "a check failed")
 scan_cli_test(VerifyTellsOtherPoints "cp $DATA/torus.xyz in.xyz && scanwrap in.xyz wrap -o out.wrp && echo 0 0 9 >> in.xyz && scanwrap out.wrp history --verify"
   FILES out.wrp EXIT 3 OUT "step 1: [^\n]*in.xyz: has changed" ERR "a check failed")
 scan_cli_test(ProjectIsCopied "${plate} -o a.wrp && scanwrap a.wrp push --at=0.5,0.5,1 -o out.wrp && scanwrap a.wrp && scanwrap out.wrp" FILES out.wrp OUT "[*] 3  push.*[*] 4  push")
