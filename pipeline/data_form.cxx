@@ -227,7 +227,8 @@ private:
         continue;
       }
       // the number keeps their order
-      const std::string place = role + ":" + std::to_string(i) + ":" + name;
+      std::string place = role;
+      place.append(":").append(std::to_string(i)).append(":").append(name);
       if (auto* const numbers = vtkDataArray::SafeDownCast(array))
       {
         this->add(place, *numbers);

@@ -124,7 +124,9 @@ ParameterValues parseValues(const std::string& verb, const ParameterTexts& texts
     const auto parameter = std::ranges::find(*parameters, name, &Parameter::name);
     if (parameter == parameters->end())
     {
-      throw Error(ErrorCode::badParameter, verb + ": there is no option --" + name);
+      std::string message = verb;
+      message.append(": there is no option --").append(name);
+      throw Error(ErrorCode::badParameter, message);
     }
     const bool isEmptyList = text.empty() &&
       (std::holds_alternative<PointList>(parameter->defaultValue) ||

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,7 +16,8 @@ struct Hash
 {
   std::array<char, 16> bytes{};
 
-  friend auto operator<=>(const Hash&, const Hash&) = default;
+  friend bool operator==(const Hash&, const Hash&) = default;
+  friend bool operator<(const Hash& a, const Hash& b) { return a.bytes < b.bytes; }
 };
 
 Hash hashOf(std::span<const char> bytes);

@@ -36,11 +36,95 @@ std::string sizeText(const Step& step)
   return digits + (triangles > 0 ? " triangles" : " points");
 }
 
+bool isDefault(
+  const std::vector<Parameter>* parameters, const std::string& name, const std::string& value)
+{
+  return parameters != nullptr &&
+    std::ranges::any_of(*parameters,
+      [&](const Parameter& parameter)
+      { return parameter.name == name && textOf(parameter.defaultValue) == value; });
+}
+
 /// A line of the list before its columns are made even.
 struct Line
 {
-  StepId id;
-  std::string tree; ///< indentation and command
+  StepId id = 0;
+  std::string tree;      ///< indentation and command
+  std::size_t width = 0; ///< of these in characters, of which some have three bytes
+};
+
+/// The steps as a tree: a step's only child continues its line, several are branches below it.
+class HistoryTree
+{
+public:
+  explicit HistoryTree(const Document& document)
+    : Steps(document)
+  {
+    for (const Step& step : document.steps())
+    {
+      this->Children[step.parent].push_back(step.id);
+    }
+  }
+
+  std::vector<Line> lines()
+  {
+    std::vector<Line> lines;
+    this->open(0, "");
+    while (!this->Open.empty())
+    {
+      const Place place = this->Open.back();
+      this->Open.pop_back();
+      lines.push_back(this->lineOf(place));
+      this->open(place.id, place.below);
+    }
+    return lines;
+  }
+
+private:
+  struct Place
+  {
+    StepId id = 0;
+    std::string before; ///< its line
+    std::string below;  ///< before the lines of its branch
+  };
+
+  /// Adds the children of a step, the first one on top.
+  void open(StepId parent, const std::string& indent)
+  {
+    const std::vector<StepId>& steps = this->Children[parent];
+    const bool isBranching = steps.size() > 1 && parent != 0;
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+    {
+      const bool isLast = step == steps.rbegin();
+      this->Open.push_back({ *step,
+        indent +
+          (!isBranching ? ""
+              : isLast  ? "└ "
+                        : "├ "),
+        indent +
+          (!isBranching ? ""
+              : isLast  ? "  "
+                        : "│ ") });
+    }
+  }
+
+  Line lineOf(const Place& place) const
+  {
+    constexpr std::size_t kWidest = 60;
+    std::string command = commandOf(this->Steps.step(place.id));
+    if (command.size() > kWidest)
+    {
+      command = command.substr(0, kWidest - 3) + "...";
+    }
+    Line line{ place.id, place.before + command };
+    line.width = static_cast<std::size_t>(std::ranges::count_if(
+      line.tree, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+    return line;
+  }
+
+  const Document& Steps;
+  std::map<StepId, std::vector<StepId>> Children;
+  std::vector<Place> Open;
 };
 
 } // namespace
@@ -59,11 +143,10 @@ std::string commandOf(const Step& step)
       }
       continue;
     }
-    const auto isDefault = [&](const Parameter& parameter)
-    { return parameter.name == name && textOf(parameter.defaultValue) == value; };
-    if (parameters == nullptr || std::ranges::none_of(*parameters, isDefault))
+    if (!isDefault(parameters, name, value))
     {
-      text += " --" + name + (value == "true" ? "" : "=" + value);
+      text.append(" --").append(name);
+      text.append(value == "true" ? "" : "=").append(value == "true" ? "" : value);
     }
   }
   return text;
@@ -71,57 +154,20 @@ std::string commandOf(const Step& step)
 
 std::string historyText(const Document& document)
 {
-  std::map<StepId, std::vector<StepId>> children;
-  for (const Step& step : document.steps())
+  const std::vector<Line> lines = HistoryTree(document).lines();
+  std::size_t widest = 0;
+  for (const Line& line : lines)
   {
-    children[step.parent].push_back(step.id);
+    widest = std::max(widest, line.width);
   }
-  // a step's only child continues its line, several are branches below it
-  struct Place
-  {
-    StepId id;
-    std::string before; ///< of the line
-    std::string below;  ///< of the lines of its branch
-  };
-  std::vector<Place> open;
-  const auto push = [&](StepId parent, const std::string& indent)
-  {
-    const std::vector<StepId>& steps = children[parent];
-    const bool isBranching = steps.size() > 1 && parent != 0;
-    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-    {
-      const bool isLast = step == steps.rbegin();
-      open.push_back({ *step, indent + (isBranching ? (isLast ? "└ " : "├ ") : ""),
-        indent + (isBranching ? (isLast ? "  " : "│ ") : "") });
-    }
-  };
-  constexpr std::size_t kWidest = 60;
-  std::vector<Line> lines;
-  std::vector<std::size_t> widths; // in characters, of which the tree has some of three bytes
-  push(0, "");
-  while (!open.empty())
-  {
-    const Place place = open.back();
-    open.pop_back();
-    std::string command = commandOf(document.step(place.id));
-    if (command.size() > kWidest)
-    {
-      command = command.substr(0, kWidest - 3) + "...";
-    }
-    lines.push_back({ place.id, place.before + command });
-    widths.push_back(static_cast<std::size_t>(std::ranges::count_if(
-      lines.back().tree, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; })));
-    push(place.id, place.below);
-  }
-  const std::size_t widest = widths.empty() ? 0 : *std::ranges::max_element(widths);
   const std::size_t digits = std::to_string(lines.empty() ? 0 : document.steps().back().id).size();
   std::string text;
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  for (const Line& line : lines)
   {
-    const Step& step = document.step(lines[i].id);
+    const Step& step = document.step(line.id);
     text += fmt::format("{} {:>{}}  {}{:{}}  {:>18}  {:>8.2f} s{}\n",
-      step.id == document.current() ? '*' : ' ', step.id, digits, lines[i].tree, "",
-      widest - widths[i], sizeText(step), step.seconds,
+      step.id == document.current() ? '*' : ' ', step.id, digits, line.tree, "",
+      widest - line.width, sizeText(step), step.seconds,
       step.name.empty() ? "" : "  '" + step.name + "'");
   }
   return text;

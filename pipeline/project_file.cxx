@@ -19,6 +19,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -179,6 +180,33 @@ std::optional<std::int64_t> stepOrNull(StepId step)
     file + ": " + what + " is damaged; save what is whole with: history --salvage=NEW.wrp");
 }
 
+/// An unfinished write to a project of that name is taken back: it must not be taken for one of the
+/// project that takes its place.
+void leaveNoJournal(const std::string& path)
+{
+  if (std::filesystem::exists(path))
+  {
+    try
+    {
+      const ProjectFile earlier(path);
+      if (!earlier.whyReadOnly().empty())
+      {
+        throw Error(ErrorCode::io,
+          path + ": cannot be replaced: " + earlier.whyReadOnly() + "; choose another name");
+      }
+      earlier.steps();
+    }
+    catch (const Error& error)
+    {
+      if (error.code() == ErrorCode::io)
+      {
+        throw;
+      }
+    }
+  }
+  std::filesystem::remove(behindLinks(path) + "-journal");
+}
+
 } // namespace
 
 ProjectFile::Lock::Lock(const std::string& path)
@@ -225,6 +253,7 @@ bool ProjectFile::looksLike(std::span<const char> head)
 
 void ProjectFile::create(const std::string& path)
 {
+  leaveNoJournal(path);
   OutputFile file(path);
   file.write(Database::imageOf(kSchemaSql));
   file.commit();

@@ -45,7 +45,7 @@ public:
   /// Whether a file that starts so is a project, of this or another version.
   static bool looksLike(std::span<const char> head);
 
-  /// A new project without steps; replaces what has the name.
+  /// A new project without steps; replaces what has the name, unless a program has it open.
   static void create(const std::string& path);
 
   /// Copies a whole project; the copy appears under its name when it is complete.

@@ -162,13 +162,13 @@ std::string textOf(const Recipe& recipe)
   text += "\n# made by Scanwrap " SCAN_VERSION "; options that are not named have their defaults\n";
   for (const RecipeStep& step : recipe)
   {
-    text += "\n" + step.operation->verb + "\n";
+    text.append("\n").append(step.operation->verb).append("\n");
     for (const auto& [name, value] : step.given)
     {
       const auto* const lines = std::get_if<TextList>(&value);
       for (const std::string& line : lines != nullptr ? *lines : TextList{ textOf(value) })
       {
-        text += "  " + name + " = " + line + "\n";
+        text.append("  ").append(name).append(" = ").append(line).append("\n");
       }
     }
   }

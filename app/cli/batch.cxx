@@ -77,7 +77,8 @@ std::vector<std::string> filesLike(const std::vector<std::string>& patterns)
   for (const std::string& pattern : patterns)
   {
     ::glob_t found = {};
-    const int status = ::glob(pattern.c_str(), GLOB_TILDE | GLOB_BRACE, nullptr, &found);
+    const int status = // NOLINTNEXTLINE(concurrency-mt-unsafe): alone
+      ::glob(pattern.c_str(), GLOB_TILDE | GLOB_BRACE, nullptr, &found);
     for (std::size_t i = 0; status == 0 && i < found.gl_pathc; ++i)
     {
       files.emplace_back(found.gl_pathv[i]);
@@ -90,7 +91,7 @@ std::vector<std::string> filesLike(const std::vector<std::string>& patterns)
   }
   std::erase_if(files, [](const std::string& file) { return fs::is_directory(file); });
   std::ranges::sort(files);
-  files.erase(std::ranges::unique(files).begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 

@@ -98,6 +98,8 @@ TEST(ProjectFile, IsReadOnlyForTheSecondProgram)
   EXPECT_THROW(second.goTo(1), Error);
   EXPECT_THROW(second.setName(1, "a"), Error);
   EXPECT_THROW(second.removeBranch(3), Error);
+  EXPECT_NE(errorOf([&] { ProjectFile::create(path); }).find("cannot be replaced"),
+    std::string::npos);
   expectOk(apply(first, "flatten")); // the first one goes on
   EXPECT_EQ(Document::open(path).steps().size(), 4U);
 }

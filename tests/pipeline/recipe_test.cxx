@@ -5,6 +5,8 @@
 #include "filters/base/error.h"
 #include "tests/pipeline/document_fixtures.h"
 
+#include <random>
+
 using namespace scan;
 
 namespace
@@ -91,4 +93,47 @@ TEST(Recipe, SaysInWhichLineSomethingIsWrong)
     errorOf(title + "wrap\n  mode\n").find("line 3: expected 'name = value'"), std::string::npos);
   EXPECT_NE(errorOf(title + "wrap\n  mode = auto\n  mode = auto\n").find("line 4: mode is given"),
     std::string::npos);
+}
+
+TEST(Recipe, OfAnyTextIsOneOrAnError)
+{
+  const std::string whole =
+    "scanwrap template 1\nthin\n  by = random\n  keep = 50\nselect\n  name = a\n  rule = "
+    "sphere(0,0,0, "
+    "2mm) & !box(0,0,0, 1,1,1)\nwrap\n  mode = classic\npush\n  at = 0,0,0;1,2,3\n  deep = true\n";
+  ASSERT_EQ(errorOf(whole), "");
+  int parsed = 0;
+  for (unsigned seed = 1; seed <= 5000; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::string text = whole;
+    for (unsigned change = 0; change <= random() % 4; ++change)
+    {
+      const std::size_t place = random() % text.size();
+      switch (random() % 3)
+      {
+        case 0:
+          text[place] = static_cast<char>(random());
+          break;
+        case 1:
+          text.erase(place, random() % 20);
+          break;
+        default:
+          text.insert(place, text.substr(random() % text.size(), random() % 30));
+      }
+      text += text.empty() ? "x" : "";
+    }
+    try
+    {
+      const std::string again = textOf(parseRecipe(text, "a.txt"));
+      EXPECT_EQ(textOf(parseRecipe(again, "again.txt")), again);
+      ++parsed;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(parsed, 50);
 }
