@@ -261,6 +261,7 @@ void ProjectFile::create(const std::string& path)
 
 void ProjectFile::copy(const std::string& from, const std::string& path)
 {
+  leaveNoJournal(path);
   // nobody writes while a transaction reads
   Database source(from, Database::Access::readOnly);
   source.execute("BEGIN; SELECT count(*) FROM project");

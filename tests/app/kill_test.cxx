@@ -10,7 +10,6 @@
 #include <array>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <set>
@@ -87,16 +86,6 @@ int runScript(const std::string& project, std::optional<Seconds> killAfter)
   return done;
 }
 
-/// A project that another one replaces leaves nothing of its unfinished write.
-void expectReplaced(const std::string& project)
-{
-  const std::string command = std::string(SCAN_PROGRAM) + " '" + sampleFile("torus.xyz") +
-    "' wrap --quiet --overwrite -o '" + project + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  EXPECT_EQ(integrityOf(project), "ok");
-  EXPECT_EQ(Document::open(project).steps().size(), 2U);
-}
-
 } // namespace
 
 TEST(Kill, TwoHundredTimesCostsTheRunningStepOnly)
@@ -124,11 +113,7 @@ TEST(Kill, TwoHundredTimesCostsTheRunningStepOnly)
       EXPECT_EQ(told, 0);
       continue;
     }
-    if (std::filesystem::exists(path + "-journal") && ++interrupted % 8 == 0)
-    {
-      expectReplaced(path);
-      continue;
-    }
+    interrupted += std::filesystem::exists(path + "-journal") ? 1 : 0;
     EXPECT_EQ(integrityOf(path), "ok");
     Document document = Document::open(path);
     const std::size_t steps = document.steps().size();

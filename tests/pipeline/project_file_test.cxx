@@ -98,8 +98,8 @@ TEST(ProjectFile, IsReadOnlyForTheSecondProgram)
   EXPECT_THROW(second.goTo(1), Error);
   EXPECT_THROW(second.setName(1, "a"), Error);
   EXPECT_THROW(second.removeBranch(3), Error);
-  EXPECT_NE(errorOf([&] { ProjectFile::create(path); }).find("cannot be replaced"),
-    std::string::npos);
+  EXPECT_NE(
+    errorOf([&] { ProjectFile::create(path); }).find("cannot be replaced"), std::string::npos);
   expectOk(apply(first, "flatten")); // the first one goes on
   EXPECT_EQ(Document::open(path).steps().size(), 4U);
 }
@@ -153,6 +153,63 @@ TEST(ProjectFile, HoldsWhatItsDocumentationSays)
   EXPECT_EQ(integrityOf(path), "ok");
   EXPECT_TRUE(ProjectFile::looksLike(contentOf(path)));
   runSql(path, "SELECT step, name, rule FROM region");
+}
+
+namespace
+{
+
+/// The files that a program leaves when it is killed in the middle of a write to the database.
+void leaveUnfinishedWrite(const std::string& path)
+{
+  const std::string copy = path + ".copy";
+  constexpr auto kAnyhow = std::filesystem::copy_options::overwrite_existing;
+  std::filesystem::copy_file(path, copy, kAnyhow);
+  sqlite3* handle = nullptr;
+  ASSERT_EQ(sqlite3_open(copy.c_str(), &handle), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(handle,
+              "PRAGMA cache_size = 1; BEGIN; UPDATE step SET note = hex(zeroblob(9000)); "
+              "UPDATE chunk SET code = zeroblob(100000)",
+              nullptr, nullptr, nullptr),
+    SQLITE_OK);
+  std::filesystem::copy_file(copy, path, kAnyhow);
+  std::filesystem::copy_file(copy + "-journal", path + "-journal", kAnyhow);
+  sqlite3_close(handle);
+}
+
+} // namespace
+
+TEST(ProjectFile, TakesBackAnUnfinishedWrite)
+{
+  const std::string path = testFolder() + "/a.wrp";
+  const std::vector<Hash> dumps = makePlateProject(path);
+  leaveUnfinishedWrite(path);
+  EXPECT_EQ(expectRight(path, dumps), 4U);
+  EXPECT_FALSE(std::filesystem::exists(path + "-journal"));
+}
+
+TEST(ProjectFile, LeavesNothingOfTheUnfinishedWriteOfAnother)
+{
+  const std::string path = testFolder() + "/a.wrp";
+  const std::vector<Hash> dumps = makePlateProject(path);
+  leaveUnfinishedWrite(path);
+  ProjectFile::create(path);
+  EXPECT_EQ(integrityOf(path), "ok");
+  EXPECT_TRUE(ProjectFile(path).steps().empty());
+
+  // also where the project itself was removed
+  std::filesystem::remove(path);
+  makePlateProject(path);
+  leaveUnfinishedWrite(path);
+  std::filesystem::remove(path);
+  EXPECT_EQ(makePlateProject(path), dumps);
+  EXPECT_EQ(expectRight(path, dumps), 4U);
+
+  leaveUnfinishedWrite(path);
+  const std::string other = path + ".other.wrp";
+  makePlateProject(other);
+  ProjectFile::copy(other, path);
+  EXPECT_EQ(integrityOf(path), "ok");
+  EXPECT_EQ(expectRight(path, dumps), 4U);
 }
 
 TEST(ProjectFile, APushAddsLittle)
