@@ -194,7 +194,8 @@ const Step& Document::step(StepId id) const
   if (found == nullptr)
   {
     throw Error(ErrorCode::badParameter,
-      "there is no step " + std::to_string(id) + "; history lists those there are");
+      id == 0 ? "there are no steps; start from files again, as in: scanwrap FILE -o NAME.wrp"
+              : "there is no step " + std::to_string(id) + "; history lists those there are");
   }
   return *found;
 }

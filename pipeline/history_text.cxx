@@ -137,10 +137,9 @@ std::string commandOf(const Step& step)
   {
     if (name == "files")
     {
-      for (const ReadFile& file : step.files)
-      {
-        text += " " + file.path;
-      }
+      std::string paths = value;
+      std::ranges::replace(paths, '\n', ' ');
+      text.append(" ").append(paths);
       continue;
     }
     if (!isDefault(parameters, name, value))

@@ -296,7 +296,7 @@ HistoryAnswer runHistory(
     if (wanted != nullptr)
     {
       throw Error(ErrorCode::badParameter,
-        "history: --" + wanted->option.name + " and --" + action.option.name +
+        "--" + wanted->option.name + " and --" + action.option.name +
           " are two things; say history twice");
     }
     wanted = &action;
@@ -307,7 +307,7 @@ HistoryAnswer runHistory(
   }
   if (given.contains("set"))
   {
-    throw Error(ErrorCode::badParameter, "history: --set changes a step; say which: --edit=STEP");
+    throw Error(ErrorCode::badParameter, "--set changes a step; say which: --edit=STEP");
   }
   return list(request);
 }
