@@ -227,6 +227,7 @@ InputModel mergeModels(const std::vector<InputModel>& parts)
     bridge::setUnit(*merged, unit);
   }
   std::vector<PartEnd> ends;
+  ends.reserve(parts.size());
   vtkIdType end = 0;
   for (const InputModel& part : parts)
   {

@@ -20,7 +20,10 @@ template <class Value>
 std::vector<char> bytesOf(const std::vector<Value>& values)
 {
   std::vector<char> bytes(values.size() * sizeof(Value));
-  std::memcpy(bytes.data(), values.data(), bytes.size());
+  if (!values.empty())
+  {
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+  }
   return bytes;
 }
 
