@@ -241,9 +241,7 @@ private:
       const MeasuredWall& wall = this->Walls[w];
       if (wall.doorRatio <= level)
       {
-        const Index a = sets.root(wall.a);
-        const Index b = sets.root(wall.b);
-        sets.join(std::min(a, b), std::max(a, b));
+        sets.unite(wall.a, wall.b);
       }
     }
     for (Index basin = 0; basin < this->RoomCount; ++basin)

@@ -239,7 +239,7 @@ bool FlatRemover::mergeEqualCorners(std::span<const Index> flat)
       const Index b = sets.root(t[(k + 1) % 3]);
       if (a != b && this->isInOnePlace(a, b))
       {
-        sets.join(std::min(a, b), std::max(a, b));
+        sets.unite(a, b);
         isMerged = true;
       }
     }

@@ -150,16 +150,11 @@ void Survey::measureEdges()
 void Survey::labelComponents()
 {
   UnionFind sets(this->Mesh.triangles.size());
-  const auto unite = [&](Index a, Index b)
-  {
-    const auto [low, high] = std::minmax({ sets.root(a), sets.root(b) });
-    sets.join(low, high);
-  };
   for (Index half = 0; half < this->Pairs.mate.size(); ++half)
   {
     if (this->Pairs.mate[half] != kNone && half < this->Pairs.mate[half])
     {
-      unite(half / 3, this->Pairs.mate[half] / 3);
+      sets.unite(half / 3, this->Pairs.mate[half] / 3);
     }
   }
   this->IsCrowded.assign(this->Pairs.mate.size(), false);
@@ -168,7 +163,7 @@ void Survey::labelComponents()
     for (const Index half : this->crowded(edge))
     {
       this->IsCrowded[half] = true;
-      unite(half / 3, this->crowded(edge).front() / 3);
+      sets.unite(half / 3, this->crowded(edge).front() / 3);
     }
   }
   this->Component.assign(this->Mesh.triangles.size(), kNone);

@@ -3,12 +3,12 @@
 #include "filters/geometry/outliers.h"
 
 #include "filters/geometry/local_plane.h"
+#include "filters/geometry/union_find.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace scan
@@ -111,34 +111,24 @@ template <class Condition>
 std::vector<Part> partsOf(
   const Crowd& crowd, const std::vector<std::uint8_t>& isStray, const Condition& areLinked)
 {
-  std::vector<Index> parent(crowd.places.size());
-  std::iota(parent.begin(), parent.end(), Index{ 0 });
-  const auto rootOf = [&](Index place)
-  {
-    while (parent[place] != place)
-    {
-      place = parent[place] = parent[parent[place]];
-    }
-    return place;
-  };
-  for (Index place = 0; place < parent.size(); ++place)
+  const auto all = static_cast<Index>(crowd.places.size());
+  UnionFind sets(all);
+  for (Index place = 0; place < all; ++place)
   {
     for (const Index other : crowd.nearOf(place))
     {
       if (isStray[place] == 0 && isStray[other] == 0 && areLinked(place, other))
       {
-        const Index a = rootOf(place);
-        const Index b = rootOf(other);
-        parent[std::max(a, b)] = std::min(a, b);
+        sets.unite(place, other);
       }
     }
   }
-  std::vector<Part> parts(parent.size());
-  for (Index place = 0; place < parent.size(); ++place)
+  std::vector<Part> parts(all);
+  for (Index place = 0; place < all; ++place)
   {
     if (isStray[place] == 0)
     {
-      parts[rootOf(place)].push_back(place);
+      parts[sets.root(place)].push_back(place);
     }
   }
   std::erase_if(parts, [](const Part& part) { return part.empty(); });

@@ -7,7 +7,6 @@
 #include "filters/geometry/open_surface.h"
 #include "filters/geometry/union_find.h"
 
-#include <algorithm>
 
 namespace scan
 {
@@ -56,9 +55,7 @@ OutsideRooms denseOutside(
   {
     if (mate[half] != kNone)
     {
-      const Index a = pieces.root(half / 3);
-      const Index b = pieces.root(mate[half] / 3);
-      pieces.join(std::min(a, b), std::max(a, b));
+      pieces.unite(half / 3, mate[half] / 3);
     }
   }
   outside.room.resize(outside.facets.size());

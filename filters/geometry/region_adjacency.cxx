@@ -216,15 +216,6 @@ std::vector<std::uint8_t> RegionAdjacency::grow(
 std::vector<Index> RegionAdjacency::parts(Execution& execution) const
 {
   UnionFind sets(this->elements());
-  const auto join = [&](Index a, Index b)
-  {
-    const Index rootA = sets.root(a);
-    const Index rootB = sets.root(b);
-    if (rootA != rootB)
-    {
-      sets.join(std::min(rootA, rootB), std::max(rootA, rootB));
-    }
-  };
   if (this->Kind == RegionElements::triangles)
   {
     const EdgePairs edges = pairEdges(this->Mesh, execution);
@@ -232,7 +223,7 @@ std::vector<Index> RegionAdjacency::parts(Execution& execution) const
     {
       if (edges.mate[half] != kNone)
       {
-        join(half / 3, edges.mate[half] / 3);
+        sets.unite(half / 3, edges.mate[half] / 3);
       }
     }
     for (std::size_t edge = 0; edge + 1 < edges.crowdedBegin.size(); ++edge)
@@ -240,7 +231,7 @@ std::vector<Index> RegionAdjacency::parts(Execution& execution) const
       const Index first = edges.crowded[edges.crowdedBegin[edge]] / 3;
       for (Index i = edges.crowdedBegin[edge]; i < edges.crowdedBegin[edge + 1]; ++i)
       {
-        join(first, edges.crowded[i] / 3);
+        sets.unite(first, edges.crowded[i] / 3);
       }
     }
   }
@@ -257,7 +248,7 @@ std::vector<Index> RegionAdjacency::parts(Execution& execution) const
         [&](Index element)
         {
           first = first == kNone ? element : first;
-          join(first, element);
+          sets.unite(first, element);
         });
     }
   }

@@ -325,12 +325,7 @@ Shells findShells(const TriMesh& mesh, std::span<const Index> mate)
   {
     if (mate[half] != kNone)
     {
-      const Index here = sets.root(static_cast<Index>(half / 3));
-      const Index there = sets.root(mate[half] / 3);
-      if (here != there)
-      {
-        sets.join(std::min(here, there), std::max(here, there));
-      }
+      sets.unite(static_cast<Index>(half / 3), mate[half] / 3);
     }
   }
   Shells result;

@@ -4,6 +4,7 @@
 
 #include "filters/geometry/mesh.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -32,6 +33,13 @@ public:
 
   /// Both arguments are roots.
   void join(Index survivor, Index other) { this->Parent[other] = survivor; }
+
+  /// Joins the sets of two elements; the smaller of their roots survives.
+  void unite(Index a, Index b)
+  {
+    const auto [low, high] = std::minmax({ this->root(a), this->root(b) });
+    this->join(low, high);
+  }
 
 private:
   std::vector<Index> Parent;
