@@ -27,7 +27,7 @@ ResultValue unitName(double millimetres)
 }
 
 /// In the order of vtkScanRenderFilter::ViewType.
-const std::vector<std::string> kViews{ "iso", "front", "back", "left", "right", "top", "bottom" };
+const std::vector<std::string> kViews = viewNames({ "iso" });
 
 Results infoResults(vtkAlgorithm& filter)
 {

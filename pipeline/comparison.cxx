@@ -32,7 +32,7 @@ class DistanceTo
 {
 public:
   explicit DistanceTo(vtkPolyData& model)
-    : IsSurface(model.GetNumberOfPolys() + model.GetNumberOfStrips() > 0)
+    : IsSurface(bridge::hasTriangles(model))
   {
     if (this->IsSurface)
     {

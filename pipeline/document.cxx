@@ -78,18 +78,23 @@ TextList locate(const std::vector<ReadFile>& files)
 }
 
 /// The files that a step with these parameters reads.
-std::vector<ReadFile> filesOf(
-  const std::string& verb, const ParameterValues& values, const CancelToken& token)
+std::vector<ReadFile> filesOf(const ParameterValues& values, const CancelToken& token)
 {
-  if (verb == kOpen)
+  TextList paths;
+  if (const auto several = values.find(kFiles); several != values.end())
   {
-    return Import(values, token).describe();
+    paths = std::get<TextList>(several->second);
   }
-  const auto file = values.find(kFile);
-  const auto* const path = file != values.end() ? std::get_if<std::string>(&file->second) : nullptr;
-  return path != nullptr && !path->empty()
-    ? std::vector<ReadFile>{ describeFile(*path, formatToRead(*path, token).name) }
-    : std::vector<ReadFile>();
+  else if (const auto one = values.find(kFile); one != values.end())
+  {
+    paths = { std::get<std::string>(one->second) };
+  }
+  std::vector<ReadFile> files;
+  for (const std::string& path : paths)
+  {
+    files.push_back(describeFile(path, token));
+  }
+  return files;
 }
 
 std::optional<StepId> numberIn(const std::string& text)
@@ -364,7 +369,7 @@ void Document::keep(StepId parent, const std::string& verb, const ParameterValue
   step.note = result.note;
   step.program = SCAN_VERSION;
   step.finished = timeText();
-  step.files = this->HasHashes ? filesOf(verb, values, options.token) : std::vector<ReadFile>();
+  step.files = this->HasHashes ? filesOf(values, options.token) : std::vector<ReadFile>();
   Execution execution = executionFor(options);
   execution.plan({ { "store", 1.0 } });
   if (!this->NewFile.empty())
@@ -399,11 +404,10 @@ StepResult Document::import(
   return guardedStep(
     [&]
     {
-      const Import files(values, options.token);
-      StepResult result = files.run(options, listener);
+      StepResult result = Import(values, options.token).run(options, listener);
       if (result.outcome.state == State::ok)
       {
-        this->keep(0, kOpen, completeValues(openParameters(), values, kOpen), result, options);
+        this->keep(0, kOpen, values, result, options);
       }
       return result;
     });
@@ -456,16 +460,16 @@ Replay Document::edit(StepId id, const ParameterTexts& changes, const RunOptions
     if (parent != counterparts.end() && replay.outcome.state != State::cancelled)
     {
       const ParameterTexts& texts = old == id ? parameters : step.parameters;
-      StepResult result = this->runOn(parent->second, step.verb, texts, options);
-      if (result.outcome.state == State::ok)
-      {
-        result = guardedStep(
-          [&]
+      const StepResult result = guardedStep(
+        [&]
+        {
+          StepResult again = this->runOn(parent->second, step.verb, texts, options);
+          if (again.outcome.state == State::ok)
           {
-            this->keep(parent->second, step.verb, parseValues(step.verb, texts), result, options);
-            return result;
-          });
-      }
+            this->keep(parent->second, step.verb, parseValues(step.verb, texts), again, options);
+          }
+          return again;
+        });
       if (result.outcome.state == State::ok)
       {
         entry = { old, this->Current, {} };

@@ -34,14 +34,14 @@ struct Request
   StepId step() const
   {
     const std::string named = this->text("step");
-    return this->document.find(named.empty() ? std::to_string(this->document.current()) : named).id;
+    return named.empty() ? this->document.step(this->document.current()).id
+                         : this->document.find(named).id;
   }
 };
 
 HistoryAnswer list(const Request& request)
 {
   HistoryAnswer answer;
-  answer.isListing = true;
   answer.text = request.text("step").empty() ? historyText(request.document)
                                              : stepText(request.document.step(request.step()));
   answer.results = { { "steps", static_cast<std::int64_t>(request.document.steps().size()) },
@@ -128,7 +128,6 @@ HistoryAnswer compareSteps(const Request& request)
   const Comparison found = compare(document, document.find(pair.substr(0, comma)).id,
     document.find(pair.substr(comma + 1)).id, request.options);
   HistoryAnswer answer;
-  answer.isListing = true;
   const auto tell = [&](const char* which, const std::vector<StepId>& steps)
   {
     for (const StepId step : steps)
@@ -150,8 +149,7 @@ HistoryAnswer saveTemplate(const Request& request)
   checkOutput(path, request.mayReplace);
   const Recipe recipe = recipeOf(request.document, request.step());
   writeText(path, textOf(recipe));
-  return { .results = { { "operations", static_cast<std::int64_t>(recipe.size()) } },
-    .isListing = true };
+  return { .results = { { "operations", static_cast<std::int64_t>(recipe.size()) } } };
 }
 
 HistoryAnswer keepTemplate(const Request& request)
@@ -177,7 +175,6 @@ HistoryAnswer check(const Request& request)
   Execution execution(request.options.threads, request.options.token, request.options.progress);
   execution.plan({ { "read", 1.0 } });
   HistoryAnswer answer;
-  answer.isListing = true;
   for (const StepId step : project->findDamage(execution))
   {
     answer.text += "the result of step " + std::to_string(step) + " is damaged\n";
@@ -194,7 +191,6 @@ HistoryAnswer check(const Request& request)
 HistoryAnswer verify(const Request& request)
 {
   HistoryAnswer answer;
-  answer.isListing = true;
   for (const auto& [step, reason] : request.document.verify(request.options))
   {
     answer.text += "step " + std::to_string(step) + ": " + reason + "\n";

@@ -19,7 +19,6 @@ struct HistoryAnswer
   std::string text = {}; ///< for the user
   Results results = {};  ///< for the record
   bool hasFailedCheck = false;
-  bool isListing = false; ///< nothing was changed
 };
 
 /// Does what the options say, one thing at a time; lists the history without any.

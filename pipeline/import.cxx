@@ -174,12 +174,12 @@ StepResult Import::run(const RunOptions& options, const Listener& listener) cons
   return merging;
 }
 
-ReadFile describeFile(const std::string& path, const std::string& format)
+ReadFile describeFile(const std::string& path, const CancelToken& token)
 {
   namespace fs = std::filesystem;
   ReadFile file;
   file.path = path;
-  file.format = format;
+  file.format = formatToRead(path, token).name;
   if (path != "-")
   {
     std::error_code ignored;
@@ -189,16 +189,6 @@ ReadFile describeFile(const std::string& path, const std::string& format)
     file.hash = textOf(hashOfFile(path));
   }
   return file;
-}
-
-std::vector<ReadFile> Import::describe() const
-{
-  std::vector<ReadFile> files;
-  for (std::size_t i = 0; i < this->Paths.size(); ++i)
-  {
-    files.push_back(describeFile(this->Paths[i], this->Formats[i]->name));
-  }
-  return files;
 }
 
 } // namespace scan

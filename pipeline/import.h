@@ -22,8 +22,9 @@ const std::vector<Parameter>& readParameters();
 /// The parameters of the step "open": these, and "files", a TextList.
 const std::vector<Parameter>& openParameters();
 
-/// What a file is now, with the hash of its content; standard input has none. Throws Error io.
-ReadFile describeFile(const std::string& path, const std::string& format);
+/// What a file is now, with its format and the hash of its content; standard input has no hash.
+/// @throws Error, Cancelled as formatToRead()
+ReadFile describeFile(const std::string& path, const CancelToken& token);
 
 /// Files that become one model.
 class Import
@@ -44,9 +45,6 @@ public:
   /// Reads the files and makes one model of them: gives it the unit, puts them in their places.
   /// @param listener may be null
   StepResult run(const RunOptions& options, const Listener& listener) const;
-
-  /// What the files are now; see describeFile().
-  std::vector<ReadFile> describe() const;
 
 private:
   StepResult read(std::size_t file, const RunOptions& options) const;

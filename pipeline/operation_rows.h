@@ -3,10 +3,12 @@
 #pragma once
 
 #include "filters/geometry/region_rule.h"
+#include "filters/geometry/view_sides.h"
 #include "pipeline/operation_table.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +44,14 @@ inline std::ptrdiff_t choiceOf(
   const ParameterValues& values, std::string_view name, const std::vector<std::string>& choices)
 {
   return std::ranges::find(choices, valueOf<std::string>(values, name)) - choices.begin();
+}
+
+/// The names of kViewSides, behind those that come first.
+inline std::vector<std::string> viewNames(std::vector<std::string> names = {})
+{
+  std::ranges::transform(kViewSides, std::back_inserter(names),
+    [](const ViewSide& side) { return std::string(side.name); });
+  return names;
 }
 
 /// The filter that the row's make() made.

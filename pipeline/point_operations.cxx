@@ -10,7 +10,6 @@
 #include "pipeline/merge_file.h"
 #include "pipeline/operation_rows.h"
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -24,8 +23,8 @@ namespace
 const std::vector<std::string> kThinBy{ "random", "spacing", "grid", "curvature" };
 const std::vector<std::string> kOrients{ "outward", "toward", "none" };
 
-/// Two each of vtkScanAddPointsFilter::AxisType.
-const std::vector<std::string> kSides{ "left", "right", "front", "back", "bottom", "top" };
+/// In the order of kViewSides.
+const std::vector<std::string> kSides = viewNames();
 
 Parameter neighboursParameter(std::int64_t standard, double least, const std::string& help)
 {
@@ -249,9 +248,12 @@ Operation addOperation()
     }
     if (const auto depth = singlePoint(values, "depth"))
     {
-      const auto axis = static_cast<std::size_t>(choiceOf(values, "view", kSides)) / 2;
-      filter->SetDepth(static_cast<vtkScanAddPointsFilter::AxisType>(axis),
-        std::array{ depth->x, depth->y, depth->z }.at(axis));
+      const Vec3 towards =
+        kViewSides.at(static_cast<std::size_t>(choiceOf(values, "view", kSides))).towards;
+      using Filter = vtkScanAddPointsFilter;
+      towards.x != 0.0     ? filter->SetDepth(Filter::X, depth->x)
+        : towards.y != 0.0 ? filter->SetDepth(Filter::Y, depth->y)
+                           : filter->SetDepth(Filter::Z, depth->z);
     }
     return filter;
   };

@@ -534,11 +534,16 @@ DELETE FROM chunk WHERE id NOT IN (SELECT chunk FROM array_chunk);
   this->Data.execute("PRAGMA incremental_vacuum");
 }
 
-bool ProjectFile::hasResult(StepId step) const
+std::optional<std::int64_t> ProjectFile::resultOf(StepId step) const
 {
   Statement row = this->Data.prepare("SELECT result FROM step WHERE id = ?");
   row.with(step);
-  return row.next() && !row.isNull(0);
+  return row.next() && !row.isNull(0) ? std::optional(row.integer(0)) : std::nullopt;
+}
+
+bool ProjectFile::hasResult(StepId step) const
+{
+  return this->resultOf(step).has_value();
 }
 
 StoredForm ProjectFile::formOfResult(std::int64_t result) const
@@ -629,14 +634,13 @@ void ProjectFile::readArray(
 
 StoredForm ProjectFile::formOf(StepId step) const
 {
-  Statement row = this->Data.prepare("SELECT result FROM step WHERE id = ?");
-  row.with(step);
-  if (!row.next() || row.isNull(0))
+  const std::optional<std::int64_t> result = this->resultOf(step);
+  if (!result)
   {
     throw Error(
       ErrorCode::badInput, this->path() + ": has no result of step " + std::to_string(step));
   }
-  return this->formOfResult(row.integer(0));
+  return this->formOfResult(*result);
 }
 
 vtkSmartPointer<vtkPolyData> ProjectFile::readResult(

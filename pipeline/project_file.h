@@ -8,6 +8,7 @@
 #include "pipeline/step.h"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -126,6 +127,7 @@ private:
   void check();
   void migrate();
 
+  std::optional<std::int64_t> resultOf(StepId step) const; ///< its row
   StoredForm formOfResult(std::int64_t result) const;
   void readArray(
     const StoredForm::Array& array, std::span<char> values, Execution& execution) const;

@@ -130,25 +130,11 @@ void addCounts(StepResult& step)
 StepResult guardedStep(const std::function<StepResult()>& body)
 {
   StepResult step;
-  try
+  const vtkScanOutcome outcome = vtkScanOutcomeOf([&] { step = body(); });
+  if (outcome.state != State::ok)
   {
-    return body();
-  }
-  catch (const Cancelled&)
-  {
-    step.outcome = { State::cancelled, {}, "cancelled" };
-  }
-  catch (const Error& error)
-  {
-    step.outcome = { State::failed, error.code(), error.what() };
-  }
-  catch (const std::bad_alloc&)
-  {
-    step.outcome = { State::failed, ErrorCode::memory, "out of memory; allow more memory" };
-  }
-  catch (const std::exception& error)
-  {
-    step.outcome = { State::failed, ErrorCode::internal, error.what() };
+    step = {};
+    step.outcome = outcome;
   }
   return step;
 }

@@ -360,10 +360,10 @@ private:
     item.outcome = status == static_cast<int>(ExitStatus::done) ? Outcome::done
       : status == static_cast<int>(ExitStatus::cancelled)       ? Outcome::cancelled
                                                                 : Outcome::failed;
-    constexpr int kSignalled = 128;
     item.what = item.outcome == Outcome::done ? (item.record.is_null() ? "" : sizeIn(item.record))
-      : status > kSignalled ? "the program ended by signal " + std::to_string(status - kSignalled)
-                            : lastLine(process.errors());
+      : status > ChildProcess::kSignalled
+      ? "the program ended by signal " + std::to_string(status - ChildProcess::kSignalled)
+      : lastLine(process.errors());
     if (!this->Line.quiet)
     {
       writeText("-", process.output().empty() ? "" : item.file + "\n" + process.output() + "\n");

@@ -120,7 +120,6 @@ bool ChildProcess::wait(int milliseconds)
   while (::waitpid(this->Id, &status, 0) < 0 && errno == EINTR)
   {
   }
-  constexpr int kSignalled = 128;
   this->Status = WIFEXITED(status) ? WEXITSTATUS(status) : kSignalled + WTERMSIG(status);
   this->Id = -1;
   return false;

@@ -28,7 +28,9 @@ public:
   /// Asks it to stop.
   void cancel() const;
 
-  /// Exit status, or 128 + the signal that ended it; valid behind the end.
+  static constexpr int kSignalled = 128;
+
+  /// Exit status, or kSignalled + the signal that ended it; valid behind the end.
   int status() const { return this->Status; }
 
   const std::string& output() const { return this->Texts[0]; }

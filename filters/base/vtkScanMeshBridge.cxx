@@ -350,6 +350,11 @@ bool hasTriangles(vtkPolyData& data)
   return data.GetNumberOfPolys() > 0 || data.GetNumberOfStrips() > 0;
 }
 
+vtkIdType triangleCountOf(vtkPolyData& data)
+{
+  return static_cast<vtkIdType>(meshOf(data).triangles.size());
+}
+
 std::vector<Segment> segmentsOf(vtkPolyData& data)
 {
   std::vector<Segment> segments;

@@ -33,6 +33,10 @@ TriMesh meshOf(vtkPolyData& data, std::vector<vtkIdType>* cells = nullptr);
 /// Whether meshOf() finds triangles: a surface, else points.
 bool hasTriangles(vtkPolyData& data);
 
+/// How many triangles meshOf() makes.
+/// @throws Error as meshOf()
+vtkIdType triangleCountOf(vtkPolyData& data);
+
 /// The lines of `data` as segments.
 /// @throws Error{badInput} when a line names a point that is not there
 std::vector<Segment> segmentsOf(vtkPolyData& data);

@@ -18,6 +18,10 @@ vtkSmartPointer<vtkPolyData> vtkScanPolyDataFilter::NewOutput(vtkPolyData*)
 std::vector<std::uint8_t> vtkScanPolyDataFilter::PointsInRegion(
   vtkPolyData& input, scan::Execution& execution) const
 {
+  if (this->Region.empty() && !scan::bridge::hasTriangles(input))
+  {
+    return std::vector<std::uint8_t>(static_cast<std::size_t>(input.GetNumberOfPoints()), 1);
+  }
   return scan::bridge::pointsInRegion(
     input, this->Region.empty() ? "all" : this->Region, execution);
 }

@@ -9,16 +9,13 @@
 
 #include <new>
 
-namespace
-{
-
 using State = vtkScanOutcome::State;
 
-vtkScanOutcome outcomeOf(const std::function<void()>& run)
+vtkScanOutcome vtkScanOutcomeOf(const std::function<void()>& body)
 {
   try
   {
-    run();
+    body();
     return {};
   }
   catch (const scan::Cancelled&)
@@ -44,8 +41,6 @@ vtkScanOutcome outcomeOf(const std::function<void()>& run)
   }
 }
 
-} // namespace
-
 int vtkScanTask::RunGuarded(
   vtkAlgorithm& self, vtkDataObject* output, const std::function<void(scan::Execution&)>& body)
 {
@@ -60,7 +55,7 @@ int vtkScanTask::RunGuarded(
       throw scan::Cancelled();
     }
   };
-  this->Outcome = outcomeOf(
+  this->Outcome = vtkScanOutcomeOf(
     [&]
     {
       scan::Execution execution(this->Threads, this->Token, listener);

@@ -25,6 +25,9 @@ struct vtkScanOutcome
   std::string message;                              ///< of a failure: one line
 };
 
+/// How the body ended; whatever it throws becomes the outcome. Never throws.
+vtkScanOutcome vtkScanOutcomeOf(const std::function<void()>& body);
+
 /// What every filter, reader and writer of the project shares: threads, cancel, and the guard
 /// between kernels that throw and a VTK executive that must never see an exception.
 ///

@@ -7,7 +7,6 @@
 #include "filters/geometry/open_surface.h"
 #include "filters/geometry/union_find.h"
 
-
 namespace scan
 {
 namespace

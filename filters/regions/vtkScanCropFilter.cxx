@@ -20,10 +20,9 @@ void vtkScanCropFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Execu
       "--region: expected the name of a region, or a rule such as sphere(0,0,0,5)");
   }
   scan::bridge::keepRegion(input, this->GetRegion(), !this->Erase, output, execution);
-  const auto triangles = [](vtkPolyData& data)
-  { return static_cast<vtkIdType>(scan::bridge::meshOf(data).triangles.size()); };
   this->PointsGone = input.GetNumberOfPoints() - output.GetNumberOfPoints();
-  this->TrianglesGone = triangles(input) - triangles(output);
+  this->TrianglesGone =
+    scan::bridge::triangleCountOf(input) - scan::bridge::triangleCountOf(output);
   if (output.GetNumberOfPoints() == 0)
   {
     this->AddNote("nothing is left");

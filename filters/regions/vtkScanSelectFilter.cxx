@@ -43,12 +43,10 @@ void vtkScanSelectFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Exe
   }
   const scan::RegionRule rule = parseRegionRule(this->Rule, scan::bridge::regionsOf(input));
   this->StoredRule = textOf(rule);
-  const auto triangles = [](vtkPolyData& data)
-  { return static_cast<vtkIdType>(scan::bridge::meshOf(data).triangles.size()); };
   const auto part = scan::bridge::partOf(input, this->StoredRule, execution);
   this->Points = part->GetNumberOfPoints();
-  this->Triangles = triangles(*part);
-  const vtkIdType all = triangles(input);
+  this->Triangles = scan::bridge::triangleCountOf(*part);
+  const vtkIdType all = scan::bridge::triangleCountOf(input);
   this->Share =
     all > 0 ? shareOf(this->Triangles, all) : shareOf(this->Points, input.GetNumberOfPoints());
   if (this->Points == 0)
