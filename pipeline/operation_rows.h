@@ -21,6 +21,7 @@ namespace scan
 std::vector<Operation> regionOperations();
 std::vector<Operation> pointOperations();
 std::vector<Operation> wrapOperations();
+std::vector<Operation> surfaceOperations();
 std::vector<Operation> analysisOperations();
 
 /// Of the operations that work on a part of the model; see vtkScanPolyDataFilter::SetRegion().

@@ -24,7 +24,8 @@ const std::vector<Operation>& operationTable()
   static const std::vector<Operation> kTable = []
   {
     std::vector<Operation> table = pointOperations();
-    for (const auto& rows : { regionOperations(), wrapOperations(), analysisOperations() })
+    for (const auto& rows :
+      { regionOperations(), wrapOperations(), surfaceOperations(), analysisOperations() })
     {
       table.insert(table.end(), rows.begin(), rows.end());
     }

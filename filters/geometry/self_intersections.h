@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "filters/base/execution.h"
+#include "filters/geometry/mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace scan
+{
+
+/// Two triangles, the smaller number first.
+using TrianglePair = std::array<Index, 2>;
+
+/// The pairs of triangles that meet in more than the corners or the edge that they share, sorted.
+/// Exact: signs are those of exact arithmetic on the coordinates. Triangles that fold back on their
+/// neighbour over a shared edge count, so do overlaps in a plane. Triangles that touch in a point
+/// which is no shared corner count, too. Collapsed and flat triangles are left out; mend lists
+/// them.
+///
+/// Throws Error badInput for a missing point or coordinates that are not finite; Cancelled.
+std::vector<TrianglePair> selfIntersections(const TriMesh& mesh, Execution& execution);
+
+} // namespace scan
