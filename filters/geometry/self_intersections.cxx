@@ -110,8 +110,8 @@ void findInGroup(const TriMesh& mesh, const BoxTree& tree, std::size_t group, Pa
         {
           bits &= ~0U << (k + 1); // the others of the group have been there
         }
-        forBits(tree, other, bits,
-          [&](Index triangle) { test(mesh, tree[first + k], triangle, pairs); });
+        forBits(
+          tree, other, bits, [&](Index triangle) { test(mesh, tree[first + k], triangle, pairs); });
       }
     });
 }

@@ -37,11 +37,6 @@ Corners3 cornersOf(const TriMesh& mesh, Index triangle)
   return { mesh.points[a], mesh.points[b], mesh.points[c] };
 }
 
-double distance(const Vec3& p, const Corners3& t)
-{
-  return std::sqrt(squaredDistance(p, t.a, t.b, t.c));
-}
-
 /// What is known about the distances of a triangle's points.
 struct Bounds
 {
@@ -72,7 +67,7 @@ public:
     this->Limit = limit;
     this->Pieces.clear();
     this->Budget = kMostPieces;
-    this->take(ConvexPiece({ triangle.a, triangle.b, triangle.c }), nearest);
+    this->take(ConvexPiece({ triangle.a, triangle.b, triangle.c }), nearest, {});
     while (!this->Pieces.empty() && !(stopsBeyond && this->Known.atLeast > limit))
     {
       const Waiting next = this->Pieces.back();
@@ -94,12 +89,16 @@ public:
 private:
   static constexpr std::size_t kMostPieces = 1 << 20; // of a triangle
 
+  static constexpr int kMostCuts = 4; // without a halving between them: they may be next to nothing
+
   struct Waiting
   {
     ConvexPiece piece;
-    Index nearest; // triangle to the middle of the piece
-    double middleDistance;
-    double bound;
+    Index nearest = kNone;       // triangle to the middle of the piece
+    Index cutAlong = kNone;      // the last triangle along which it was cut
+    int cuts = 0;                // since it was halved
+    double middleDistance = 0.0; // of the middle
+    double bound = 0.0;
   };
 
   double goal() const { return std::max(this->Limit, this->Known.atLeast * kSpare); }
@@ -114,7 +113,8 @@ private:
     return std::sqrt(most);
   }
 
-  void take(const ConvexPiece& piece, const SurfacePlace& nearest)
+  /// @param origin tells along what the piece was cut
+  void take(const ConvexPiece& piece, const SurfacePlace& nearest, const Waiting& origin)
   {
     const Vec3 middle = piece.middle();
     const double middleDistance = std::sqrt(nearest.squaredDistance);
@@ -131,61 +131,69 @@ private:
       this->Known.atMost = std::max(this->Known.atMost, bound);
       return;
     }
-    this->Pieces.push_back({ piece, nearest.triangle, middleDistance, bound });
+    this->Pieces.push_back(
+      { piece, nearest.triangle, origin.cutAlong, origin.cuts, middleDistance, bound });
   }
 
-  void look(const ConvexPiece& piece, Index hint)
+  void look(const ConvexPiece& piece, const Waiting& origin)
   {
     this->Budget -= this->Budget > 0 ? 1 : 0;
-    this->take(piece, this->To.nearest(piece.middle(), hint));
+    this->take(piece, this->To.nearest(piece.middle(), origin.nearest), origin);
   }
 
   /// Cuts the piece along the borders of its nearest triangle, or in the middle.
-  void refine(const Waiting& waiting)
+  void refine(Waiting waiting)
   {
+    if (waiting.cutAlong == waiting.nearest || waiting.cuts == kMostCuts || !this->cut(waiting))
+    {
+      this->Parts.clear();
+      this->Parts.push_back(waiting.piece.halve());
+      this->Parts.push_back(waiting.piece);
+      waiting.cuts = 0;
+    }
+    else
+    {
+      waiting.cutAlong = waiting.nearest;
+      ++waiting.cuts;
+    }
+    for (const ConvexPiece& part : this->Parts)
+    {
+      this->look(part, waiting);
+    }
+  }
+
+  /// Makes parts of a piece inside and outside the borders of its nearest triangle, widened as far
+  /// as the goal allows; false where it is on one side.
+  bool cut(const Waiting& waiting)
+  {
+    this->Parts.clear();
+    ConvexPiece inside = waiting.piece;
+    if (inside.corners().size() + 3 > ConvexPiece::kMostCorners)
+    {
+      return false;
+    }
     const Corners3 t = cornersOf(this->To.mesh(), waiting.nearest);
     const Vec3 normal = cross(t.b - t.a, t.c - t.a);
     const double slack2 =
       this->goal() * this->goal() - waiting.middleDistance * waiting.middleDistance;
     const double slack = kSlackUsed * std::sqrt(std::max(slack2, 0.0));
-    ConvexPiece rest = waiting.piece;
-    const std::size_t before = this->Pieces.size();
     const std::array<std::array<const Vec3*, 2>, 3> edges = { { { &t.a, &t.b }, { &t.b, &t.c },
       { &t.c, &t.a } } };
-    if (rest.corners().size() + 3 <= ConvexPiece::kMostCorners)
+    for (const auto& [from, to] : edges)
     {
-      for (const auto& [from, to] : edges)
+      const Vec3 inwards = unitVector(cross(normal, *to - *from));
+      const ConvexPiece outside = inside.cut(inwards, dot(inwards, *from) - slack);
+      if (inside.corners().empty())
       {
-        const Vec3 inwards = unitVector(cross(normal, *to - *from));
-        ConvexPiece outside = rest.cut(inwards, dot(inwards, *from) - slack);
-        if (rest.corners().empty())
-        {
-          break;
-        }
-        if (!outside.corners().empty())
-        {
-          this->Parts.push_back(outside);
-        }
+        return false;
+      }
+      if (!outside.corners().empty())
+      {
+        this->Parts.push_back(outside);
       }
     }
-    const bool isCut = !rest.corners().empty() && !this->Parts.empty();
-    if (isCut)
-    {
-      this->Parts.push_back(rest);
-    }
-    else
-    {
-      this->Parts.clear();
-      rest = waiting.piece;
-      this->Parts.push_back(rest.halve());
-      this->Parts.push_back(rest);
-    }
-    for (const ConvexPiece& part : this->Parts)
-    {
-      this->look(part, waiting.nearest);
-    }
-    this->Parts.clear();
-    (void)before;
+    this->Parts.push_back(inside);
+    return this->Parts.size() > 1;
   }
 
   static constexpr double kSlackUsed = 0.4;
@@ -307,7 +315,8 @@ SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Exec
   }
   result.mean = area > 0.0 ? sum / area : 0.0;
   result.rms = area > 0.0 ? std::sqrt(squares / area) : 0.0;
-  const double diagonal = BoundingBox(from.points).diagonal(); // FIXME both
+  const double diagonal =
+    std::max(BoundingBox(from.points).diagonal(), BoundingBox(to.mesh().points).diagonal());
   const double limit = std::max(result.largest * kSpare, 1e-6 * diagonal);
   execution.parallelFor(order.size(), kGrain,
     [&](std::size_t begin, std::size_t end)

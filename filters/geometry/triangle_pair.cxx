@@ -106,8 +106,8 @@ bool meetsInPlane(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, co
 
 /// Whether segment pq and triangle abc have a point in common.
 /// @param sideP of abc on which p is, and q
-bool meets(const Vec3& p, const Vec3& q, int sideP, int sideQ, const Vec3& a, const Vec3& b,
-  const Vec3& c)
+bool meets(
+  const Vec3& p, const Vec3& q, int sideP, int sideQ, const Vec3& a, const Vec3& b, const Vec3& c)
 {
   if (sideP * sideQ > 0)
   {

@@ -110,8 +110,7 @@ SurfacePlace TriangleTree::nearest(const Vec3& at, Index hint) const
       continue;
     }
     // the nearest child goes on top
-    const EightBoxes::Row squares =
-      tree.level(step.level - 1)[step.group].squaredDistances(at);
+    const EightBoxes::Row squares = tree.level(step.level - 1)[step.group].squaredDistances(at);
     const std::size_t bottom = waiting;
     for (std::size_t child = 0; child < BoxTree::kFan; ++child)
     {
