@@ -82,23 +82,6 @@ void set(EightBoxes& boxes, std::size_t place, const Box& box)
   put(boxes.high[2], box.high.z);
 }
 
-/// The box around all eight.
-Box around(const EightBoxes& boxes)
-{
-  const auto least = [](const EightBoxes::Row& row)
-  {
-    const Pair pair = -larger(larger(-row[0], -row[1]), larger(-row[2], -row[3]));
-    return std::min(pair[0], pair[1]);
-  };
-  const auto most = [](const EightBoxes::Row& row)
-  {
-    const Pair pair = larger(larger(row[0], row[1]), larger(row[2], row[3]));
-    return std::max(pair[0], pair[1]);
-  };
-  return { { least(boxes.low[0]), least(boxes.low[1]), least(boxes.low[2]) },
-    { most(boxes.high[0]), most(boxes.high[1]), most(boxes.high[2]) } };
-}
-
 /// Groups of eight of `count` boxes.
 template <class BoxAt>
 LargeArray<EightBoxes> grouped(std::size_t count, BoxAt&& boxAt, Execution& execution)
@@ -125,6 +108,22 @@ LargeArray<EightBoxes> grouped(std::size_t count, BoxAt&& boxAt, Execution& exec
 }
 
 } // namespace
+
+Box EightBoxes::around() const
+{
+  const auto least = [](const Row& row)
+  {
+    const Pair pair = -larger(larger(-row[0], -row[1]), larger(-row[2], -row[3]));
+    return std::min(pair[0], pair[1]);
+  };
+  const auto most = [](const Row& row)
+  {
+    const Pair pair = larger(larger(row[0], row[1]), larger(row[2], row[3]));
+    return std::max(pair[0], pair[1]);
+  };
+  return { { least(this->low[0]), least(this->low[1]), least(this->low[2]) },
+    { most(this->high[0]), most(this->high[1]), most(this->high[2]) } };
+}
 
 Box boxOf(const TriMesh& mesh, Index triangle)
 {
@@ -154,7 +153,7 @@ BoxTree::BoxTree(const TriMesh& mesh, std::span<const Index> triangles, Executio
   while (this->Levels.back().size() > 1)
   {
     const LargeArray<EightBoxes>& below = this->Levels.back();
-    const auto groupBox = [&](std::size_t group) { return around(below[group]); };
+    const auto groupBox = [&](std::size_t group) { return below[group].around(); };
     LargeArray<EightBoxes> groups = grouped(below.size(), groupBox, execution);
     this->Levels.push_back(std::move(groups));
   }

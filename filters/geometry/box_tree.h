@@ -24,11 +24,25 @@ struct EightBoxes
   std::array<Row, 3> low;
   std::array<Row, 3> high;
 
+  Box operator[](std::size_t place) const;
+
+  /// The box around all eight.
+  Box around() const;
+
   /// One bit for each box that touches another.
   unsigned touching(const Box& box) const;
 
-  /// Squared distances of the boxes from a point; 0 inside, infinity where there is no box.
-  Row squaredDistances(const Vec3& at) const;
+  /// One bit for each box within a distance of a point; and squared distances, 0 inside.
+  unsigned within(const Vec3& at, double squaredReach, Row& squaredDistances) const;
+
+private:
+  using Hits __attribute__((vector_size(16))) = std::int64_t;
+
+  /// The bits of two boxes out of eight.
+  static Hits bits(std::size_t pair)
+  {
+    return Hits{ 1LL << (2 * pair), 2LL << (2 * pair) };
+  }
 };
 
 /// The boxes of triangles in levels of groups of eight, along a Hilbert curve: no pointers, the
@@ -42,6 +56,10 @@ public:
   /// @param triangles those to take, different ones
   /// Throws Error badInput for points of theirs that are missing or not finite.
   BoxTree(const TriMesh& mesh, std::span<const Index> triangles, Execution& execution);
+
+  /// Room for a walk down the tree that keeps the groups to visit: 32 bits make no more than eleven
+  /// levels.
+  static constexpr std::size_t kStack = 12 * kFan;
 
   /// Number of triangles.
   std::size_t size() const { return this->Order.size(); }
@@ -65,24 +83,30 @@ private:
 /// The box around a triangle.
 Box boxOf(const TriMesh& mesh, Index triangle);
 
+inline Box EightBoxes::operator[](std::size_t place) const
+{
+  const auto at = [place](const Row& row) { return row[place / 2][place % 2]; };
+  return { { at(this->low[0]), at(this->low[1]), at(this->low[2]) },
+    { at(this->high[0]), at(this->high[1]), at(this->high[2]) } };
+}
+
 inline unsigned EightBoxes::touching(const Box& box) const
 {
-  using Mask __attribute__((vector_size(16))) = std::int64_t;
-  Mask hits{};
-  for (std::int64_t i = 0; i < 4; ++i)
+  Hits hits{};
+  for (std::size_t k = 0; k < 4; ++k)
   {
-    const auto k = static_cast<std::size_t>(i);
-    const Mask hit = (this->low[0][k] <= box.high.x) & (this->high[0][k] >= box.low.x) &
+    const Hits hit = (this->low[0][k] <= box.high.x) & (this->high[0][k] >= box.low.x) &
       (this->low[1][k] <= box.high.y) & (this->high[1][k] >= box.low.y) &
       (this->low[2][k] <= box.high.z) & (this->high[2][k] >= box.low.z);
-    hits |= hit & Mask{ 1LL << (2 * i), 2LL << (2 * i) };
+    hits |= hit & bits(k);
   }
   return static_cast<unsigned>(hits[0] | hits[1]);
 }
 
-inline EightBoxes::Row EightBoxes::squaredDistances(const Vec3& at) const
+inline unsigned EightBoxes::within(
+  const Vec3& at, double squaredReach, Row& squaredDistances) const
 {
-  Row squares;
+  Hits hits{};
   for (std::size_t k = 0; k < 4; ++k)
   {
     const auto beyond = [k](const Row& lows, const Row& highs, double where)
@@ -90,9 +114,11 @@ inline EightBoxes::Row EightBoxes::squaredDistances(const Vec3& at) const
     const Pair x = beyond(this->low[0], this->high[0], at.x);
     const Pair y = beyond(this->low[1], this->high[1], at.y);
     const Pair z = beyond(this->low[2], this->high[2], at.z);
-    squares[k] = x * x + y * y + z * z;
+    const Pair squared = x * x + y * y + z * z;
+    squaredDistances[k] = squared;
+    hits |= (squared <= squaredReach) & bits(k);
   }
-  return squares;
+  return static_cast<unsigned>(hits[0] | hits[1]);
 }
 
 template <class Visit>
@@ -107,7 +133,7 @@ void BoxTree::forGroupsTouching(const Box& box, std::size_t first, Visit&& visit
   {
     return;
   }
-  std::array<Step, 8 * kFan * 2> stack; // 32 bits make no more than eleven levels
+  std::array<Step, kStack> stack;
   std::size_t waiting = 0;
   stack[waiting++] = { this->Levels.size() - 1, 0 };
   while (waiting > 0)

@@ -88,30 +88,22 @@ void test(const TriMesh& mesh, Index triangle, Index other, Pairs& pairs)
 /// Meets of the triangles of a group with those of the same group and of later ones.
 void findInGroup(const TriMesh& mesh, const BoxTree& tree, std::size_t group, Pairs& pairs)
 {
+  const EightBoxes& boxes = tree.level(0)[group];
   const std::size_t first = BoxTree::kFan * group;
-  const std::size_t count = std::min(BoxTree::kFan, tree.size() - first);
-  std::array<Box, BoxTree::kFan> boxes;
-  Box around = boxOf(mesh, tree[first]);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    boxes[k] = boxOf(mesh, tree[first + k]);
-    around.low = { std::min(around.low.x, boxes[k].low.x), std::min(around.low.y, boxes[k].low.y),
-      std::min(around.low.z, boxes[k].low.z) };
-    around.high = { std::max(around.high.x, boxes[k].high.x),
-      std::max(around.high.y, boxes[k].high.y), std::max(around.high.z, boxes[k].high.z) };
-  }
-  tree.forGroupsTouching(around, group,
+  tree.forGroupsTouching(boxes.around(), group,
     [&](std::size_t other, unsigned touching)
     {
-      for (std::size_t k = 0; k < count; ++k)
+      const EightBoxes& others = tree.level(0)[other];
+      for (unsigned own = boxes.touching(others.around()); own != 0; own &= own - 1)
       {
-        unsigned bits = touching & tree.level(0)[other].touching(boxes[k]);
+        const auto k = static_cast<std::size_t>(std::countr_zero(own));
+        unsigned bits = touching & others.touching(boxes[k]);
         if (other == group)
         {
-          bits &= ~0U << (k + 1); // the others of the group have been there
+          bits &= ~1U << k; // the others of the group have been there
         }
-        forBits(
-          tree, other, bits, [&](Index triangle) { test(mesh, tree[first + k], triangle, pairs); });
+        forBits(tree, other, bits,
+          [&](Index triangle) { test(mesh, tree[first + k], triangle, pairs); });
       }
     });
 }

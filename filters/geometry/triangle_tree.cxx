@@ -85,15 +85,16 @@ SurfacePlace TriangleTree::nearest(const Vec3& at, Index hint) const
     std::size_t group;
   };
   const BoxTree& tree = *this->Tree;
-  Nearest nearest(this->Mesh, at);
   if (tree.levels() == 0)
   {
     return {};
   }
-  nearest.look(hint < this->Mesh.triangles.size() ? hint : tree[0]);
-  std::array<Step, 128> stack;
+  Nearest nearest(this->Mesh, at);
+  hint = hint < this->Mesh.triangles.size() ? hint : tree[0];
+  nearest.look(hint);
+  std::array<Step, BoxTree::kStack> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = { 0.0, tree.levels(), 0 };
+  stack[waiting++] = { 0.0, tree.levels() - 1, 0 };
   while (waiting > 0)
   {
     const Step step = stack[--waiting];
@@ -101,29 +102,28 @@ SurfacePlace TriangleTree::nearest(const Vec3& at, Index hint) const
     {
       continue;
     }
-    if (step.level == 0)
-    {
-      if (tree[step.group] != hint)
-      {
-        nearest.look(tree[step.group]);
-      }
-      continue;
-    }
-    // the nearest child goes on top
-    const EightBoxes::Row squares = tree.level(step.level - 1)[step.group].squaredDistances(at);
+    EightBoxes::Row squares;
+    unsigned bits = tree.level(step.level)[step.group].within(at, nearest.squaredReach(), squares);
     const std::size_t bottom = waiting;
-    for (std::size_t child = 0; child < BoxTree::kFan; ++child)
+    for (; bits != 0; bits &= bits - 1)
     {
-      const double squared = squares[child / 2][child % 2];
-      if (squared <= nearest.squaredReach())
+      const auto place = static_cast<std::size_t>(std::countr_zero(bits));
+      const double squared = squares[place / 2][place % 2];
+      const std::size_t child = BoxTree::kFan * step.group + place;
+      if (step.level == 0)
       {
-        std::size_t place = waiting++;
-        for (; place > bottom && stack[place - 1].squared < squared; --place)
+        if (squared <= nearest.squaredReach() && tree[child] != hint)
         {
-          stack[place] = stack[place - 1];
+          nearest.look(tree[child]);
         }
-        stack[place] = { squared, step.level - 1, BoxTree::kFan * step.group + child };
+        continue;
       }
+      std::size_t slot = waiting++; // the nearest child goes on top
+      for (; slot > bottom && stack[slot - 1].squared < squared; --slot)
+      {
+        stack[slot] = stack[slot - 1];
+      }
+      stack[slot] = { squared, step.level - 1, child };
     }
   }
   return nearest.best();
