@@ -39,10 +39,7 @@ private:
   using Hits __attribute__((vector_size(16))) = std::int64_t;
 
   /// The bits of two boxes out of eight.
-  static Hits bits(std::size_t pair)
-  {
-    return Hits{ 1LL << (2 * pair), 2LL << (2 * pair) };
-  }
+  static Hits bits(std::size_t pair) { return Hits{ 1LL << (2 * pair), 2LL << (2 * pair) }; }
 };
 
 /// The boxes of triangles in levels of groups of eight, along a Hilbert curve: no pointers, the
@@ -103,8 +100,7 @@ inline unsigned EightBoxes::touching(const Box& box) const
   return static_cast<unsigned>(hits[0] | hits[1]);
 }
 
-inline unsigned EightBoxes::within(
-  const Vec3& at, double squaredReach, Row& squaredDistances) const
+inline unsigned EightBoxes::within(const Vec3& at, double squaredReach, Row& squaredDistances) const
 {
   Hits hits{};
   for (std::size_t k = 0; k < 4; ++k)

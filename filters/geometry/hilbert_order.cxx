@@ -92,7 +92,8 @@ public:
   {
     for (std::size_t first = 0; first < places.size(); first += 4)
     {
-      const std::span<Place> four = places.subspan(first, std::min<std::size_t>(4, places.size() - first));
+      const std::span<Place> four =
+        places.subspan(first, std::min<std::size_t>(4, places.size() - first));
       std::array<Four, 3> cells{};
       for (std::size_t i = 0; i < four.size(); ++i)
       {
@@ -205,9 +206,7 @@ std::vector<Index> hilbertOrder(std::span<const Vec3> points, Execution& executi
   const Grid grid(points, places);
   execution.parallelFor(places.size(), kGrain,
     [&](std::size_t begin, std::size_t end)
-    {
-      grid.setCodes(points, std::span(places).subspan(begin, end - begin));
-    });
+    { grid.setCodes(points, std::span(places).subspan(begin, end - begin)); });
   const std::vector<std::size_t> buckets = bucket(places);
   std::vector<Index> order(points.size());
   execution.parallelFor(buckets.size() - 1, 16,

@@ -77,19 +77,41 @@ void forBits(const BoxTree& tree, std::size_t group, unsigned bits, Look&& look)
 }
 
 /// Tests a triangle with others.
-void test(const TriMesh& mesh, Index triangle, Index other, Pairs& pairs)
+class Tester
 {
-  if (meetBeyondShared(mesh, mesh.triangles[triangle], mesh.triangles[other]))
+public:
+  Tester() = default;
+  Tester(const TriMesh& mesh, Index triangle)
+    : Mesh(&mesh)
+    , Own(triangle)
+    , Plane(mesh, triangle)
   {
-    pairs.push_back({ std::min(triangle, other), std::max(triangle, other) });
   }
-}
+
+  void test(Index other, Pairs& pairs) const
+  {
+    if (meetBeyondShared(*this->Mesh, this->Own, this->Plane, other))
+    {
+      pairs.push_back({ std::min(this->Own, other), std::max(this->Own, other) });
+    }
+  }
+
+private:
+  const TriMesh* Mesh = nullptr;
+  Index Own = kNone;
+  TrianglePlane Plane;
+};
 
 /// Meets of the triangles of a group with those of the same group and of later ones.
 void findInGroup(const TriMesh& mesh, const BoxTree& tree, std::size_t group, Pairs& pairs)
 {
   const EightBoxes& boxes = tree.level(0)[group];
   const std::size_t first = BoxTree::kFan * group;
+  std::array<Tester, BoxTree::kFan> testers;
+  for (std::size_t k = 0; k < std::min(BoxTree::kFan, tree.size() - first); ++k)
+  {
+    testers[k] = Tester(mesh, tree[first + k]);
+  }
   tree.forGroupsTouching(boxes.around(), group,
     [&](std::size_t other, unsigned touching)
     {
@@ -97,13 +119,9 @@ void findInGroup(const TriMesh& mesh, const BoxTree& tree, std::size_t group, Pa
       for (unsigned own = boxes.touching(others.around()); own != 0; own &= own - 1)
       {
         const auto k = static_cast<std::size_t>(std::countr_zero(own));
-        unsigned bits = touching & others.touching(boxes[k]);
-        if (other == group)
-        {
-          bits &= ~1U << k; // the others of the group have been there
-        }
-        forBits(tree, other, bits,
-          [&](Index triangle) { test(mesh, tree[first + k], triangle, pairs); });
+        // the others of the same group have been there
+        const unsigned bits = others.touching(boxes[k]) & (other == group ? ~1U << k : touching);
+        forBits(tree, other, bits, [&](Index triangle) { testers[k].test(triangle, pairs); });
       }
     });
 }
@@ -136,24 +154,24 @@ Pairs selfIntersections(
     [&](std::size_t group, Pairs& pairs)
     {
       const std::size_t end = std::min(mesh.triangles.size(), BoxTree::kFan * (group + 1));
-      for (std::size_t i = BoxTree::kFan * group; i < end; ++i)
+      for (auto i = static_cast<Index>(BoxTree::kFan * group); i < end; ++i)
       {
-        const auto triangle = static_cast<Index>(i);
-        const auto testGiven = [&](Index other)
-        {
-          // what is given on both sides is met twice
-          if (isGiven[triangle] == 0 || triangle < other)
-          {
-            test(mesh, triangle, other, pairs);
-          }
-        };
-        tree.forGroupsTouching(boxOf(mesh, triangle), 0,
+        tree.forGroupsTouching(boxOf(mesh, i), 0,
           [&](std::size_t other, unsigned bits)
           {
-            if (hasArea(mesh, triangle))
+            if (!hasArea(mesh, i))
             {
-              forBits(tree, other, bits, testGiven);
+              return;
             }
+            const Tester tester(mesh, i);
+            forBits(tree, other, bits,
+              [&](Index given)
+              {
+                if (isGiven[i] == 0 || i < given) // two given ones come together twice
+                {
+                  tester.test(given, pairs);
+                }
+              });
           });
       }
     });

@@ -198,9 +198,28 @@ bool areFolded(const Places& first, const Places& second)
   return view.turn(*a, *b, *c) == view.turn(*a, *b, *second[2]);
 }
 
-} // namespace
+/// Whether all corners but the shared ones, which are in the plane, are on one side of it for sure.
+bool isBeside(const TriMesh& mesh, const TrianglePlane& plane, const Triangle& triangle, int shared)
+{
+  int above = 0;
+  int below = 0;
+  for (const Index corner : triangle)
+  {
+    const Vec3 d = mesh.points[corner] - plane.corner;
+    const double x = std::max(std::abs(d.x), plane.extent.x);
+    const double y = std::max(std::abs(d.y), plane.extent.y);
+    const double z = std::max(std::abs(d.z), plane.extent.z);
+    const double volume = dot(plane.normal, d);
+    const bool isSure = (std::abs(volume) > kVolumeError * x * y * z) &
+      (std::min(std::min(x, y), z) > kSmallestExtent);
+    above += static_cast<int>(isSure & (volume > 0.0));
+    below += static_cast<int>(isSure & (volume < 0.0));
+  }
+  return std::max(above, below) == 3 - shared;
+}
 
-bool meetBeyondShared(const TriMesh& mesh, const Triangle& first, const Triangle& second)
+/// The exact answer of meetBeyondShared().
+bool meetExactly(const TriMesh& mesh, const Triangle& first, const Triangle& second)
 {
   Triangle t = first;
   Triangle u = second;
@@ -232,6 +251,33 @@ bool meetBeyondShared(const TriMesh& mesh, const Triangle& first, const Triangle
     default:
       return true;
   }
+}
+
+} // namespace
+
+TrianglePlane::TrianglePlane(const TriMesh& mesh, Index triangle)
+  : corner(mesh.points[mesh.triangles[triangle][0]])
+{
+  const Vec3 u = mesh.points[mesh.triangles[triangle][1]] - this->corner;
+  const Vec3 v = mesh.points[mesh.triangles[triangle][2]] - this->corner;
+  this->normal = cross(u, v);
+  this->extent = { std::max(std::abs(u.x), std::abs(v.x)), std::max(std::abs(u.y), std::abs(v.y)),
+    std::max(std::abs(u.z), std::abs(v.z)) };
+}
+
+bool meetBeyondShared(const TriMesh& mesh, Index first, const TrianglePlane& plane, Index second)
+{
+  const Triangle& own = mesh.triangles[first];
+  const Triangle& theirs = mesh.triangles[second];
+  int shared = 0;
+  for (const Index corner : theirs)
+  {
+    shared += static_cast<int>(corner == own[0]) + static_cast<int>(corner == own[1]) +
+      static_cast<int>(corner == own[2]);
+  }
+  return shared == 3 ||
+    (!isBeside(mesh, plane, theirs, shared) &&
+      !isBeside(mesh, TrianglePlane(mesh, second), own, shared) && meetExactly(mesh, own, theirs));
 }
 
 } // namespace scan
