@@ -61,27 +61,6 @@ std::vector<Vec3> middles(
   return middle;
 }
 
-void clear(EightBoxes& boxes)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    boxes.low[axis].fill(Pair{ kNowhere, kNowhere });
-    boxes.high[axis].fill(Pair{ -kNowhere, -kNowhere });
-  }
-}
-
-void set(EightBoxes& boxes, std::size_t place, const Box& box)
-{
-  const auto put = [place](EightBoxes::Row& row, double value)
-  { row[place / 2][place % 2] = value; };
-  put(boxes.low[0], box.low.x);
-  put(boxes.low[1], box.low.y);
-  put(boxes.low[2], box.low.z);
-  put(boxes.high[0], box.high.x);
-  put(boxes.high[1], box.high.y);
-  put(boxes.high[2], box.high.z);
-}
-
 /// Groups of eight of `count` boxes.
 template <class BoxAt>
 LargeArray<EightBoxes> grouped(std::size_t count, BoxAt&& boxAt, Execution& execution)
@@ -96,11 +75,11 @@ LargeArray<EightBoxes> grouped(std::size_t count, BoxAt&& boxAt, Execution& exec
         const std::size_t boxes = std::min(BoxTree::kFan, count - first);
         if (boxes < BoxTree::kFan)
         {
-          clear(groups[group]);
+          groups[group].clear();
         }
         for (std::size_t place = 0; place < boxes; ++place)
         {
-          set(groups[group], place, boxAt(first + place));
+          groups[group].set(place, boxAt(first + place));
         }
       }
     });
@@ -108,6 +87,26 @@ LargeArray<EightBoxes> grouped(std::size_t count, BoxAt&& boxAt, Execution& exec
 }
 
 } // namespace
+
+void EightBoxes::clear()
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->low[axis].fill(Pair{ kNowhere, kNowhere });
+    this->high[axis].fill(Pair{ -kNowhere, -kNowhere });
+  }
+}
+
+void EightBoxes::set(std::size_t place, const Box& box)
+{
+  const auto put = [place](Row& row, double value) { row[place / 2][place % 2] = value; };
+  put(this->low[0], box.low.x);
+  put(this->low[1], box.low.y);
+  put(this->low[2], box.low.z);
+  put(this->high[0], box.high.x);
+  put(this->high[1], box.high.y);
+  put(this->high[2], box.high.z);
+}
 
 Box EightBoxes::around() const
 {

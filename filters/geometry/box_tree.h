@@ -35,6 +35,10 @@ struct EightBoxes
   /// One bit for each box within a distance of a point; and squared distances, 0 inside.
   unsigned within(const Vec3& at, double squaredReach, Row& squaredDistances) const;
 
+  /// Sets all places to no box.
+  void clear();
+  void set(std::size_t place, const Box& box);
+
 private:
   using Hits __attribute__((vector_size(16))) = std::int64_t;
 
@@ -68,7 +72,7 @@ public:
   std::span<const EightBoxes> level(std::size_t number) const { return this->Levels[number]; }
 
   /// Calls visit(group, touching) for the lowest groups from `first` on that have boxes which touch
-  /// another, in their order; `touching` has a bit for each such box.
+  /// another, in their order, until it returns false; `touching` has a bit for each such box.
   template <class Visit>
   void forGroupsTouching(const Box& box, std::size_t first, Visit&& visit) const;
 
@@ -138,9 +142,9 @@ void BoxTree::forGroupsTouching(const Box& box, std::size_t first, Visit&& visit
     unsigned touching = this->Levels[step.level][step.group].touching(box);
     if (step.level == 0)
     {
-      if (touching != 0)
+      if (touching != 0 && !visit(step.group, touching))
       {
-        visit(step.group, touching);
+        return;
       }
       continue;
     }

@@ -123,6 +123,7 @@ void findInGroup(const TriMesh& mesh, const BoxTree& tree, std::size_t group, Pa
         const unsigned bits = others.touching(boxes[k]) & (other == group ? ~1U << k : touching);
         forBits(tree, other, bits, [&](Index triangle) { testers[k].test(triangle, pairs); });
       }
+      return true;
     });
 }
 
@@ -161,7 +162,7 @@ Pairs selfIntersections(
           {
             if (!hasArea(mesh, i))
             {
-              return;
+              return false;
             }
             const Tester tester(mesh, i);
             forBits(tree, other, bits,
@@ -172,6 +173,7 @@ Pairs selfIntersections(
                   tester.test(given, pairs);
                 }
               });
+            return true;
           });
       }
     });

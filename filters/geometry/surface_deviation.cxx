@@ -5,309 +5,174 @@
 #include "filters/base/error.h"
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/collect.h"
-#include "filters/geometry/convex_piece.h"
+#include "filters/geometry/deviation_bound.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/hilbert_order.h"
 #include "filters/geometry/local_plane.h"
-#include "filters/geometry/point_triangle.h"
+#include "filters/geometry/neighbours.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <span>
 
 namespace scan
 {
 namespace
 {
 
-constexpr double kSpare = 1.01; // how far the bound may be above what was found
-constexpr std::size_t kGrain = 1 << 10;
+constexpr const char* kPhase = "deviation";
 
-struct Corners3
+Vec3 middleOf(const CornerPlaces& t)
 {
-  Vec3 a;
-  Vec3 b;
-  Vec3 c;
-};
-
-Corners3 cornersOf(const TriMesh& mesh, Index triangle)
-{
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return { mesh.points[a], mesh.points[b], mesh.points[c] };
+  return (t[0] + t[1] + t[2]) * (1.0 / 3.0);
 }
 
-/// What is known about the distances of a triangle's points.
-struct Bounds
+/// The triangles along a curve through their middles.
+std::vector<Index> curveOrder(const TriMesh& mesh, Execution& execution)
 {
-  double atLeast = 0.0; ///< the largest that was found
-  double atMost = 0.0;
-  Vec3 where; ///< of the one that was found
-};
-
-/// Bounds the distance from a triangle to a surface. The distance from a convex set is convex, so
-/// that of the points of a convex piece from one triangle of the surface is largest at the corners
-/// of the piece. Where that is too much the piece is cut along the triangle's borders, and the rest
-/// has other nearest triangles.
-class Bounder
-{
-public:
-  explicit Bounder(const TriangleTree& to)
-    : To(to)
+  std::vector<Vec3> middles(mesh.triangles.size());
+  for (Index t = 0; t < middles.size(); ++t)
   {
+    middles[t] = middleOf(cornerPlaces(mesh, t));
   }
-
-  /// @param limit where the bound is below it is as good as 0
-  /// @param known the nearest place to the middle, and bounds from points that were looked at
-  Bounds bound(const Corners3& triangle, const SurfacePlace& nearest, const Bounds& known,
-    double limit, bool stopsBeyond)
-  {
-    this->Known = known;
-    this->Known.atMost = known.atLeast;
-    this->Limit = limit;
-    this->Pieces.clear();
-    this->Budget = kMostPieces;
-    this->take(ConvexPiece({ triangle.a, triangle.b, triangle.c }), nearest, {});
-    while (!this->Pieces.empty() && !(stopsBeyond && this->Known.atLeast > limit))
-    {
-      const Waiting next = this->Pieces.back();
-      this->Pieces.pop_back();
-      if (next.bound <= this->goal() || this->Budget == 0)
-      {
-        this->Known.atMost = std::max(this->Known.atMost, next.bound);
-        continue;
-      }
-      this->refine(next);
-    }
-    for (const Waiting& left : this->Pieces)
-    {
-      this->Known.atMost = std::max(this->Known.atMost, left.bound);
-    }
-    return this->Known;
-  }
-
-private:
-  static constexpr std::size_t kMostPieces = 1 << 20; // of a triangle
-
-  static constexpr int kMostCuts = 4; // without a halving between them: they may be next to nothing
-
-  struct Waiting
-  {
-    ConvexPiece piece;
-    Index nearest = kNone;       // triangle to the middle of the piece
-    Index cutAlong = kNone;      // the last triangle along which it was cut
-    int cuts = 0;                // since it was halved
-    double middleDistance = 0.0; // of the middle
-    double bound = 0.0;
-  };
-
-  double goal() const { return std::max(this->Limit, this->Known.atLeast * kSpare); }
-
-  double bound(const ConvexPiece& piece, const Corners3& nearest) const
-  {
-    double most = 0.0;
-    for (const Vec3& corner : piece.corners())
-    {
-      most = std::max(most, squaredDistance(corner, nearest.a, nearest.b, nearest.c));
-    }
-    return std::sqrt(most);
-  }
-
-  /// @param origin tells along what the piece was cut
-  void take(const ConvexPiece& piece, const SurfacePlace& nearest, const Waiting& origin)
-  {
-    const Vec3 middle = piece.middle();
-    const double middleDistance = std::sqrt(nearest.squaredDistance);
-    if (middleDistance > this->Known.atLeast)
-    {
-      this->Known.atLeast = middleDistance;
-      this->Known.where = middle;
-    }
-    const double reach = middleDistance + piece.radius(middle);
-    const double bound =
-      std::min(reach, this->bound(piece, cornersOf(this->To.mesh(), nearest.triangle)));
-    if (bound <= this->goal())
-    {
-      this->Known.atMost = std::max(this->Known.atMost, bound);
-      return;
-    }
-    this->Pieces.push_back(
-      { piece, nearest.triangle, origin.cutAlong, origin.cuts, middleDistance, bound });
-  }
-
-  void look(const ConvexPiece& piece, const Waiting& origin)
-  {
-    this->Budget -= this->Budget > 0 ? 1 : 0;
-    this->take(piece, this->To.nearest(piece.middle(), origin.nearest), origin);
-  }
-
-  /// Cuts the piece along the borders of its nearest triangle, or in the middle.
-  void refine(Waiting waiting)
-  {
-    if (waiting.cutAlong == waiting.nearest || waiting.cuts == kMostCuts || !this->cut(waiting))
-    {
-      this->Parts.clear();
-      this->Parts.push_back(waiting.piece.halve());
-      this->Parts.push_back(waiting.piece);
-      waiting.cuts = 0;
-    }
-    else
-    {
-      waiting.cutAlong = waiting.nearest;
-      ++waiting.cuts;
-    }
-    for (const ConvexPiece& part : this->Parts)
-    {
-      this->look(part, waiting);
-    }
-  }
-
-  /// Makes parts of a piece inside and outside the borders of its nearest triangle, widened as far
-  /// as the goal allows; false where it is on one side.
-  bool cut(const Waiting& waiting)
-  {
-    this->Parts.clear();
-    ConvexPiece inside = waiting.piece;
-    if (inside.corners().size() + 3 > ConvexPiece::kMostCorners)
-    {
-      return false;
-    }
-    const Corners3 t = cornersOf(this->To.mesh(), waiting.nearest);
-    const Vec3 normal = cross(t.b - t.a, t.c - t.a);
-    const double slack2 =
-      this->goal() * this->goal() - waiting.middleDistance * waiting.middleDistance;
-    const double slack = kSlackUsed * std::sqrt(std::max(slack2, 0.0));
-    const std::array<std::array<const Vec3*, 2>, 3> edges = { { { &t.a, &t.b }, { &t.b, &t.c },
-      { &t.c, &t.a } } };
-    for (const auto& [from, to] : edges)
-    {
-      const Vec3 inwards = unitVector(cross(normal, *to - *from));
-      const ConvexPiece outside = inside.cut(inwards, dot(inwards, *from) - slack);
-      if (inside.corners().empty())
-      {
-        return false;
-      }
-      if (!outside.corners().empty())
-      {
-        this->Parts.push_back(outside);
-      }
-    }
-    this->Parts.push_back(inside);
-    return this->Parts.size() > 1;
-  }
-
-  static constexpr double kSlackUsed = 0.4;
-
-  const TriangleTree& To;
-  double Limit = 0.0;
-  std::size_t Budget = 0;
-  Bounds Known;
-  std::vector<Waiting> Pieces;
-  std::vector<ConvexPiece> Parts;
-};
-
-Vec3 middleOf(const Corners3& t)
-{
-  return (t.a + t.b + t.c) * (1.0 / 3.0);
+  return hilbertOrder(middles, execution);
 }
 
-/// The nearest places to points that are looked up in an order in which neighbours are near.
-template <class At>
-std::vector<SurfacePlace> nearestPlaces(
-  std::span<const Index> order, const TriangleTree& to, Execution& execution, At&& at)
+void requireTriangles(const TriangleTree& to)
 {
-  std::vector<SurfacePlace> places(order.size());
-  execution.parallelFor(order.size(), kGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      Index hint = kNone;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        places[order[i]] = to.nearest(at(order[i]), hint);
-        hint = places[order[i]].triangle;
-      }
-    });
-  return places;
-}
-
-std::vector<Vec3> middles(const TriMesh& mesh)
-{
-  std::vector<Vec3> points(mesh.triangles.size());
-  for (Index t = 0; t < points.size(); ++t)
-  {
-    points[t] = middleOf(cornersOf(mesh, t));
-  }
-  return points;
-}
-
-} // namespace
-
-SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Execution& execution)
-{
-  requireCorners(from);
   if (to.mesh().triangles.empty())
   {
-    throw Error(ErrorCode::badInput, "the surface to measure from has no triangles");
+    throw Error(
+      ErrorCode::badInput, "a surface without triangles has no distance; give one that has some");
   }
-  SurfaceDeviation result;
-  if (from.triangles.empty())
-  {
-    return result;
-  }
-  const std::vector<Vec3> middle = middles(from);
-  const std::vector<Index> order = hilbertOrder(middle, execution);
-  const std::vector<SurfacePlace> ofMiddles =
-    nearestPlaces(order, to, execution, [&](Index t) { return middle[t]; });
-  std::vector<double> ofPoints(from.points.size(), -1.0);
-  std::vector<Index> pointOrder; // as the triangles come
-  std::vector<Index> pointHint;
+}
+
+/// Groups of triangles that follow each other along the curve: questions near each other.
+constexpr std::size_t kGroup = 16;
+
+/// Calls look(t, near) for all triangles, in groups; `near` is around the group.
+template <class Look>
+void lookInGroups(const TriMesh& from, std::span<const Index> order, const TriangleTree& to,
+  const LoopOfPhase& loop, Execution& execution, Look&& look)
+{
+  parallelSteps(execution, loop, (order.size() + kGroup - 1) / kGroup,
+    [&](std::size_t begin, std::size_t end)
+    {
+      TrianglesNear near(to);
+      Index hint = kNone;
+      for (std::size_t group = begin; group < end; ++group)
+      {
+        const auto members =
+          order.subspan(kGroup * group, std::min(kGroup, order.size() - kGroup * group));
+        std::array<Vec3, 3 * kGroup> corners;
+        std::size_t count = 0;
+        for (const Index t : members)
+        {
+          for (const Vec3& corner : cornerPlaces(from, t))
+          {
+            corners[count++] = corner;
+          }
+        }
+        const BoundingBox box({ corners.data(), count });
+        const SurfacePlace place = to.nearest(corners[0], hint);
+        constexpr double kMargin = 0.25; // of the box: most are as near as the first and some
+        near.moveTo(
+          { box.low, box.high }, 1.5 * std::sqrt(place.squaredDistance) + kMargin * box.diagonal());
+        hint = place.triangle;
+        for (const Index t : members)
+        {
+          look(t, near, hint);
+        }
+      }
+    });
+}
+
+/// Distances at the points and in the middles of triangles.
+struct Samples
+{
+  std::vector<double> ofPoints;
+  std::vector<double> ofMiddles;
+  std::vector<Index> nearest; // to the middles
+};
+
+Samples sample(
+  const TriMesh& from, std::span<const Index> order, const TriangleTree& to, Execution& execution)
+{
+  Samples samples;
+  samples.ofPoints.resize(from.points.size());
+  samples.ofMiddles.resize(from.triangles.size());
+  samples.nearest.resize(from.triangles.size());
+  std::vector<Index> firstOf(from.points.size(), kNone); // the triangle that looks at the point
   for (const Index t : order)
   {
     for (const Index corner : from.triangles[t])
     {
-      if (ofPoints[corner] < 0.0)
-      {
-        ofPoints[corner] = 0.0;
-        pointOrder.push_back(corner);
-        pointHint.push_back(ofMiddles[t].triangle);
-      }
+      firstOf[corner] = firstOf[corner] == kNone ? t : firstOf[corner];
     }
   }
-  execution.parallelFor(pointOrder.size(), kGrain,
-    [&](std::size_t begin, std::size_t end)
+  lookInGroups(from, order, to, { kPhase, 0, 2 }, execution,
+    [&](Index t, const TrianglesNear& near, Index& hint)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      for (const Index corner : from.triangles[t])
       {
-        ofPoints[pointOrder[i]] =
-          std::sqrt(to.nearest(from.points[pointOrder[i]], pointHint[i]).squaredDistance);
+        if (firstOf[corner] == t)
+        {
+          const SurfacePlace place = near.nearest(from.points[corner], hint);
+          samples.ofPoints[corner] = std::sqrt(place.squaredDistance);
+          hint = place.triangle;
+        }
       }
+      const SurfacePlace place = near.nearest(middleOf(cornerPlaces(from, t)), hint);
+      samples.ofMiddles[t] = std::sqrt(place.squaredDistance);
+      samples.nearest[t] = place.triangle;
+      hint = place.triangle;
     });
+  return samples;
+}
+
+/// The largest distance of a triangle that was found.
+DeviationBounds knownOf(const TriMesh& from, const Samples& samples, Index t)
+{
+  DeviationBounds known{ samples.ofMiddles[t], 0.0, middleOf(cornerPlaces(from, t)) };
+  for (const Index corner : from.triangles[t])
+  {
+    if (samples.ofPoints[corner] > known.atLeast)
+    {
+      known.atLeast = samples.ofPoints[corner];
+      known.where = from.points[corner];
+    }
+  }
+  return known;
+}
+
+/// Means over the area, exact where distances change linearly and squares as a square does; and the
+/// largest.
+SurfaceDeviation summary(const TriMesh& from, const Samples& samples)
+{
   double area = 0.0;
   double sum = 0.0;
   double squares = 0.0;
-  std::vector<Bounds> bounds(from.triangles.size());
+  SurfaceDeviation result;
+  result.where = middleOf(cornerPlaces(from, 0));
   for (Index t = 0; t < from.triangles.size(); ++t)
   {
-    const Corners3 c = cornersOf(from, t);
-    const double own = length(cross(c.b - c.a, c.c - c.a));
-    const auto& [i, j, k] = from.triangles[t];
-    const double atMiddle = std::sqrt(ofMiddles[t].squaredDistance);
-    area += own;
-    sum += own * (0.75 * atMiddle + (ofPoints[i] + ofPoints[j] + ofPoints[k]) / 12.0);
-    squares += own *
-      (0.75 * atMiddle * atMiddle +
-        (ofPoints[i] * ofPoints[i] + ofPoints[j] * ofPoints[j] + ofPoints[k] * ofPoints[k]) / 12.0);
-    Bounds& known = bounds[t];
-    known = { atMiddle, 0.0, middle[t] };
+    const CornerPlaces corners = cornerPlaces(from, t);
+    const double weight = length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const double middle = samples.ofMiddles[t];
+    double ofCorners = 0.0;
+    double squaresOfCorners = 0.0;
     for (const Index corner : from.triangles[t])
     {
-      if (ofPoints[corner] > known.atLeast)
-      {
-        known.atLeast = ofPoints[corner];
-        known.where = from.points[corner];
-      }
+      const double distance = samples.ofPoints[corner];
+      ofCorners += distance;
+      squaresOfCorners += distance * distance;
     }
-    if (t == 0 || known.atLeast > result.largest)
+    area += weight;
+    sum += weight * (9.0 * middle + ofCorners) / 12.0;
+    squares += weight * (9.0 * middle * middle + squaresOfCorners) / 12.0;
+    const DeviationBounds known = knownOf(from, samples, t);
+    if (known.atLeast > result.largest)
     {
       result.largest = known.atLeast;
       result.where = known.where;
@@ -315,27 +180,53 @@ SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Exec
   }
   result.mean = area > 0.0 ? sum / area : 0.0;
   result.rms = area > 0.0 ? std::sqrt(squares / area) : 0.0;
+  return result;
+}
+
+} // namespace
+
+SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Execution& execution)
+{
+  requireCorners(from);
+  requireTriangles(to);
+  if (from.triangles.empty())
+  {
+    return {};
+  }
+  const std::vector<Index> order = curveOrder(from, execution);
+  const Samples samples = sample(from, order, to, execution);
+  SurfaceDeviation result = summary(from, samples);
   const double diagonal =
     std::max(BoundingBox(from.points).diagonal(), BoundingBox(to.mesh().points).diagonal());
-  const double limit = std::max(result.largest * kSpare, 1e-6 * diagonal);
-  execution.parallelFor(order.size(), kGrain,
+  const double limit = std::max(result.largest * kDeviationSpare, 1e-6 * diagonal);
+  constexpr std::size_t kBlock = 256;
+  std::vector<DeviationBounds> blocks((order.size() + kBlock - 1) / kBlock);
+  parallelSteps(execution, { kPhase, 1, 2 }, blocks.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      Bounder bounder(to);
-      for (std::size_t i = begin; i < end; ++i)
+      DeviationBounder bounder(to);
+      for (std::size_t i = kBlock * begin; i < std::min(order.size(), kBlock * end); ++i)
       {
         const Index t = order[i];
-        bounds[t] = bounder.bound(cornersOf(from, t), ofMiddles[t], bounds[t], limit, false);
+        const DeviationBounds bounds = bounder.bound(cornerPlaces(from, t), samples.nearest[t],
+          samples.ofMiddles[t], knownOf(from, samples, t), limit);
+        DeviationBounds& block = blocks[i / kBlock];
+        block.atMost = std::max(block.atMost, bounds.atMost);
+        if (bounds.atLeast > block.atLeast)
+        {
+          block.atLeast = bounds.atLeast;
+          block.where = bounds.where;
+        }
       }
     });
-  for (const Bounds& known : bounds)
+  for (const DeviationBounds& block : blocks)
   {
-    if (known.atLeast > result.largest)
+    result.atMost = std::max(result.atMost, block.atMost);
+    if (block.atLeast > result.largest)
     {
-      result.largest = known.atLeast;
-      result.where = known.where;
+      result.largest = block.atLeast;
+      result.where = block.where;
     }
-    result.atMost = std::max({ result.atMost, known.atMost, known.atLeast });
   }
   return result;
 }
@@ -344,24 +235,22 @@ std::vector<Index> trianglesBeyond(
   const TriMesh& from, const TriangleTree& to, double limit, Execution& execution)
 {
   requireCorners(from);
-  if (to.mesh().triangles.empty())
-  {
-    throw Error(ErrorCode::badInput, "the surface to measure from has no triangles");
-  }
-  const std::vector<Index> order = hilbertOrder(middles(from), execution);
+  requireTriangles(to);
+  const std::vector<Index> order = curveOrder(from, execution);
   std::vector<std::uint8_t> isBeyond(order.size(), 0);
-  execution.parallelFor(order.size(), kGrain,
+  constexpr std::size_t kBlock = 256;
+  parallelSteps(execution, { kPhase }, (order.size() + kBlock - 1) / kBlock,
     [&](std::size_t begin, std::size_t end)
     {
-      Bounder bounder(to);
+      DeviationBounder bounder(to);
       Index hint = kNone;
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = kBlock * begin; i < std::min(order.size(), kBlock * end); ++i)
       {
-        const Corners3 t = cornersOf(from, order[i]);
-        const SurfacePlace nearest = to.nearest(middleOf(t), hint);
-        hint = nearest.triangle;
-        const Bounds bounds = bounder.bound(t, nearest, {}, limit, true);
-        isBeyond[order[i]] = std::max(bounds.atMost, bounds.atLeast) > limit ? 1 : 0;
+        const CornerPlaces t = cornerPlaces(from, order[i]);
+        const SurfacePlace place = to.nearest(middleOf(t), hint);
+        hint = place.triangle;
+        isBeyond[order[i]] =
+          bounder.isWithin(t, hint, std::sqrt(place.squaredDistance), limit) ? 0 : 1;
       }
     });
   return collect<Index>(static_cast<Index>(order.size()), execution,
