@@ -40,7 +40,6 @@ ContractionMesh::ContractionMesh(TriMesh mesh, Execution& execution)
     }
   }
   this->points = std::move(mesh.points);
-  this->isLine.assign(this->corner.size(), 0);
   this->Stamp.assign(this->points.size(), 0);
   this->startFans();
 }
@@ -110,16 +109,16 @@ bool ContractionMesh::keepsTopology(Index half)
   return common == (twin != kNone ? 2U : 1U) && !isTetrahedron;
 }
 
+/// Makes the outer sides of two edges that became one each other's mates.
 void ContractionMesh::glue(Index a, Index b)
 {
-  const std::uint8_t line = (a != kNone ? this->isLine[a] : 0) | (b != kNone ? this->isLine[b] : 0);
-  for (const auto& [half, other] : { std::pair(a, b), std::pair(b, a) })
+  if (a != kNone)
   {
-    if (half != kNone)
-    {
-      this->mate[half] = other;
-      this->isLine[half] = line;
-    }
+    this->mate[a] = b;
+  }
+  if (b != kNone)
+  {
+    this->mate[b] = a;
   }
 }
 
@@ -137,8 +136,8 @@ void ContractionMesh::contract(Index half)
     {
       continue;
     }
-    const Index intoApex = nextHalf(side);       // from the end of `side` to the apex
-    const Index outOfApex = previousHalf(side);  // and back to its beginning
+    const Index intoApex = nextHalf(side);         // from the end of `side` to the apex
+    const Index outOfApex = previousHalf(side);    // and back to its beginning
     const Index behindInto = this->mate[intoApex]; // leaves the apex
     const Index behindOut = this->mate[outOfApex]; // ends there
     if (const Index apex = this->corner[outOfApex]; this->out[apex] == outOfApex)
@@ -164,41 +163,28 @@ void ContractionMesh::contract(Index half)
   this->out[u] = kNone;
 }
 
-TriMesh ContractionMesh::compacted(
-  std::vector<Index>& pointOrigin, std::vector<Index>& triangleOrigin) const
+void ContractionMesh::renumber(const std::vector<Index>& number, Index count)
 {
-  TriMesh mesh;
-  std::vector<Index> number(this->points.size(), kNone);
-  triangleOrigin.clear();
-  for (std::size_t half = 0; half < this->corner.size(); half += 3)
+  const auto numberOf = [&](Index half)
+  { return half == kNone ? kNone : 3 * number[half / 3] + half % 3; };
+  for (std::size_t t = 0; t < number.size(); ++t)
   {
-    if (this->corner[half] == kNone)
+    for (std::size_t k = 0; k < 3 && number[t] != kNone; ++k)
     {
-      continue;
-    }
-    triangleOrigin.push_back(static_cast<Index>(half / 3));
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      number[this->corner[half + k]] = 0;
+      const std::size_t to = 3 * std::size_t{ number[t] } + k;
+      this->corner[to] = this->corner[3 * t + k];
+      this->mate[to] = numberOf(this->mate[3 * t + k]);
     }
   }
-  pointOrigin.clear();
-  for (Index point = 0; point < number.size(); ++point)
+  this->corner.resize(3 * std::size_t{ count });
+  this->mate.resize(this->corner.size());
+  for (Index& half : this->out)
   {
-    if (number[point] != kNone)
+    if (half != kNone && number[half / 3] != kNone)
     {
-      number[point] = static_cast<Index>(pointOrigin.size());
-      pointOrigin.push_back(point);
-      mesh.points.push_back(this->points[point]);
+      half = numberOf(half);
     }
   }
-  mesh.triangles.reserve(triangleOrigin.size());
-  for (const Index t : triangleOrigin)
-  {
-    const auto at = [&](std::size_t k) { return number[this->corner[3 * std::size_t{ t } + k]]; };
-    mesh.triangles.push_back({ at(0), at(1), at(2) });
-  }
-  return mesh;
 }
 
 } // namespace scan

@@ -21,12 +21,11 @@ public:
   ContractionMesh(TriMesh mesh, Execution& execution);
 
   std::vector<Vec3> points;
-  std::vector<Index> corner;         ///< per half-edge where it begins; kNone of triangles gone
-  std::vector<Index> mate;           ///< per half-edge the reverse one, kNone at a boundary
-  std::vector<std::uint8_t> isLine;  ///< per half-edge 1 on a line that is to be kept
-  std::vector<Index> out;            ///< per point a half-edge; the first one of a boundary point
+  std::vector<Index> corner; ///< per half-edge where it begins; kNone of triangles gone
+  std::vector<Index> mate;   ///< per half-edge the reverse one, kNone at a boundary
+  std::vector<Index> out;    ///< per point a half-edge; the first one of a boundary point
   std::vector<std::uint8_t> isSingular;
-  std::size_t triangles = 0;         ///< that are left
+  std::size_t triangles = 0; ///< that are left
 
   Index from(Index half) const { return this->corner[half]; }
   Index to(Index half) const { return this->corner[nextHalf(half)]; }
@@ -71,13 +70,27 @@ public:
   /// Contracts an edge that keepsTopology(): its first point goes, the other one stays.
   void contract(Index half);
 
-  /// The triangles that are left on the points that they use.
-  /// @param pointOrigin receives per point its number here
-  /// @param triangleOrigin receives per triangle its number here
-  TriMesh compacted(std::vector<Index>& pointOrigin, std::vector<Index>& triangleOrigin) const;
+  /// Closes the gaps that triangles gone have left: the others keep their order.
+  /// @param moved called as moved(triangle, its new number), in increasing order
+  template <class Moved>
+  void compact(Moved&& moved)
+  {
+    std::vector<Index> number(this->corner.size() / 3, kNone);
+    Index count = 0;
+    for (Index t = 0; t < number.size(); ++t)
+    {
+      if (!this->isGone(t))
+      {
+        moved(t, count);
+        number[t] = count++;
+      }
+    }
+    this->renumber(number, count);
+  }
 
 private:
   void startFans();
+  void renumber(const std::vector<Index>& number, Index count);
   void glue(Index a, Index b);
 
   std::vector<Index> Stamp; // per point, the last question that met it
