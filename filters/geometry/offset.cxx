@@ -49,6 +49,7 @@ OffsetResult offset(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
     }
   }
   execution.step("offset", 2, 2);
+  execution.step("folds", 0, 1);
   result.folds = findFolds(result.edit.mesh, mesh.points, execution);
   execution.step("folds", 1, 1);
   return result;

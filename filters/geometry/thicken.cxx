@@ -281,6 +281,7 @@ ThickenResult thicken(const TriMesh& mesh, std::span<const std::uint8_t> inRegio
   result.edit = restOf(mesh, inRegion);
   append(solid, result.edit);
   execution.step("thicken", 3, 3);
+  execution.step("folds", 0, 1);
   result.folds = foldsOf(solid, mesh, result.edit.mesh.triangles.size(), execution);
   execution.step("folds", 1, 1);
   return result;

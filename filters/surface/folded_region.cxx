@@ -23,13 +23,10 @@ constexpr const char* kRegion = "folded";
 
 void markFolds(const SurfaceFolds& folds, vtkPolyData& output)
 {
-  output.GetCellData()->RemoveArray(arrays::kFolded);
+  output.GetCellData()->RemoveArray(arrays::kFolded); // of an earlier operation
   if (folds.folded == 0)
   {
-    if (bridge::regionsOf(output).contains(kRegion))
-    {
-      bridge::setRegion(output, kRegion, parseRegionRule("none"));
-    }
+    bridge::setRegion(output, kRegion, parseRegionRule("none"));
     return;
   }
   vtkNew<vtkUnsignedCharArray> isFolded;

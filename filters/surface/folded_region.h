@@ -11,9 +11,8 @@ class vtkPolyData;
 namespace scan
 {
 
-/// Gives a finished output the folded triangles as the region "folded", that of the cell array
-/// Folded; without any the array is not there and the region, where an earlier operation made it,
-/// is empty.
+/// Gives a finished output the folded triangles as the region "folded", by the cell array Folded;
+/// without any the region is empty and the array is not there.
 /// @param folds per triangle of the output
 void markFolds(const SurfaceFolds& folds, vtkPolyData& output);
 

@@ -6,8 +6,8 @@
 #include "filters/surface/vtkScanSurfaceFilter.h"
 
 /// Turns a surface into a solid of uniform thickness; see scan::thicken. Both copies of a point
-/// have its data and its ScanPointId. Where the solid folds onto itself, the note warns and the
-/// output has the region "folded".
+/// have its data and its ScanPointId. The region "folded" of
+/// the output is where the solid folds onto itself; a note warns of it.
 class SCANFILTERS_EXPORT vtkScanThickenFilter : public vtkScanSurfaceFilter
 {
 public:
