@@ -20,7 +20,7 @@ namespace scan
 namespace
 {
 
-constexpr double kReach = 1.0;    // longest edges
+constexpr double kReach = 1.0;    // widths of a chamfer, or longest edges of a corner
 constexpr double kLeastDet = 0.1; // of three unit normals that meet in a corner
 
 Vec3 areaVector(const TriMesh& mesh, const Triangle& triangle)
@@ -126,7 +126,9 @@ std::optional<Vec3> Sharpener::tipOf(Index half) const
   const double scale = 1.0 / (1.0 - cosine * cosine);
   const Vec3 shift =
     first * (scale * (rise - cosine * otherRise)) + second * (scale * (otherRise - cosine * rise));
-  if (!(length(shift) <= kReach * length(way)))
+  const Vec3 edge = unitVector(cross(first, second));
+  const Vec3 width = way - edge * dot(edge, way); // of the chamfer
+  if (!(length(shift) <= kReach * length(width)))
   {
     return std::nullopt;
   }

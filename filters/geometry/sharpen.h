@@ -40,9 +40,10 @@ struct SharpenResult
 /// checks are ours.)
 ///
 /// Finds chamfers of one row of triangles only: of rounded edges wider than that nothing is known.
-/// No new point is farther from the middle of what it cuts than the longest edge there, no part
-/// of a triangle faces against it, and no new triangle crosses another. The surface stays as
-/// manifold, closed and oriented as it was; what is not on a chamfer stays bit by bit.
+/// No new point is farther from the middle of what it cuts than the chamfer is wide there, which
+/// leaves out edges sharper than 53 degrees; no part of a triangle faces against it, and no new
+/// triangle crosses another. The surface stays as manifold, closed and oriented as it was; what is
+/// not on a chamfer stays bit by bit.
 ///
 /// Linear time but for the checks for crossings, a few times selfIntersections(). Reports the
 /// phases "sharpen" and "check".

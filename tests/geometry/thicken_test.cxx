@@ -196,6 +196,30 @@ TEST(Thicken, KeepsThePlanesOfACubeAtTheThickness)
   EXPECT_NEAR(*describeMesh(result.edit.mesh).volume, 125.0 - 64.0, 0.3);
 }
 
+/// A corner with angles of 60, 90 and 90 degrees: the mean normal is not what moves the planes.
+TEST(Thicken, KeepsThePlanesOfAPrismAtTheThickness)
+{
+  const double h = std::sqrt(0.75);
+  const TriMesh prism{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, h, 0 }, { 0, 0, 2 }, { 1, 0, 2 },
+                         { 0.5, h, 2 } },
+    { { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4 }, { 0, 4, 3 }, { 1, 2, 5 }, { 1, 5, 4 }, { 2, 0, 3 },
+      { 2, 3, 5 } } };
+  constexpr double kThickness = 0.1;
+  const ThickenResult result = run(prism, { .thickness = kThickness, .side = ThickenSide::out });
+  for (std::size_t t = 0; t < prism.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = prism.triangles[t];
+    const Vec3 p = prism.points[a];
+    const Vec3 normal = unitVector(cross(prism.points[b] - p, prism.points[c] - p));
+    for (const Index corner : result.edit.mesh.triangles[t])
+    {
+      const double height = dot(normal, result.edit.mesh.points[corner] - p);
+      EXPECT_NEAR(
+        height, kThickness, 0.13 * kThickness); // 2.24 times the thickness away is too far
+    }
+  }
+}
+
 TEST(Thicken, AnySurfaceBecomesAClosedManifold)
 {
   for (const auto& [name, mesh] : surfaces())
@@ -274,6 +298,10 @@ TEST(Thicken, LeavesTheRestAsItWas)
         }
         ++place;
       }
+    }
+    for (std::size_t i = place; i < edit.triangleOrigin.size(); ++i)
+    {
+      EXPECT_TRUE(edit.triangleOrigin[i] == kNone || inRegion[edit.triangleOrigin[i]] != 0) << name;
     }
     TriMesh solid = edit.mesh;
     solid.triangles.erase(
