@@ -5,8 +5,8 @@
 #include "filters/geometry/offset.h"
 #include "filters/surface/vtkScanSurfaceFilter.h"
 
-/// Moves the surface along its normals; see scan::offset. The region "folded" of the output is where
-/// it folds onto itself; a note warns of it.
+/// Moves the surface along its normals; see scan::offset. The region "folded" of the output is
+/// where it folds onto itself; a note warns of it.
 class SCANFILTERS_EXPORT vtkScanOffsetFilter : public vtkScanSurfaceFilter
 {
 public:
