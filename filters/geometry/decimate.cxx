@@ -3,12 +3,14 @@
 #include "filters/geometry/decimate.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/collect.h"
 #include "filters/geometry/hilbert_order.h"
 #include "filters/geometry/quadric_decimation.h"
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/surface_deviation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -167,6 +169,37 @@ std::vector<std::uint8_t> cornersOf(
   return isCorner;
 }
 
+std::array<Vec3, 3> placesOf(const TriMesh& mesh, Index triangle)
+{
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return { mesh.points[a], mesh.points[b], mesh.points[c] };
+}
+
+Box boxAround(const std::array<Vec3, 3>& places, double margin)
+{
+  const auto& [a, b, c] = places;
+  const Vec3 far{ margin, margin, margin };
+  const Vec3 low{ std::min({ a.x, b.x, c.x }), std::min({ a.y, b.y, c.y }),
+    std::min({ a.z, b.z, c.z }) };
+  const Vec3 high{ std::max({ a.x, b.x, c.x }), std::max({ a.y, b.y, c.y }),
+    std::max({ a.z, b.z, c.z }) };
+  return { low - far, high + far };
+}
+
+/// trianglesBeyond() of some triangles.
+std::vector<Index> beyondAmong(const TriMesh& mesh, const std::vector<Index>& triangles,
+  const TriangleTree& to, double limit, Execution& execution)
+{
+  TriMesh part{ mesh.points, {} };
+  for (const Index triangle : triangles)
+  {
+    part.triangles.push_back(mesh.triangles[triangle]);
+  }
+  std::vector<Index> beyond = trianglesBeyond(part, to, limit, execution);
+  std::ranges::transform(beyond, beyond.begin(), [&](Index place) { return triangles[place]; });
+  return beyond;
+}
+
 /// Runs until nothing is wrong, holding back what was.
 class CheckedDecimation
 {
@@ -194,7 +227,9 @@ public:
       QuadricDecimation run(
         this->Ordered.mesh, this->IsFixed, this->Options.creaseAngle, this->Exec);
       run.costLimits = this->CostLimits;
+      run.thresholds = this->Thresholds;
       run.run(this->Options.triangles, this->Options.maxDeviation * kMeanOfLargest, this->Exec);
+      this->Thresholds = std::move(run.thresholds);
       result.edit = editOf(run, this->Ordered, this->Input);
       this->IsWrong.assign(this->Input.points.size(), 0);
       this->CornersWrong = 0;
@@ -276,8 +311,12 @@ private:
       return;
     }
     const double limit = this->Options.maxDeviation;
-    for (const Index triangle : trianglesBeyond(edit.mesh, *this->InputTree, limit, this->Exec))
+    const Changes changes = this->changesTo(edit);
+    this->ResultFailed.assign(this->Input.triangles.size(), 0);
+    for (const Index triangle :
+      beyondAmong(edit.mesh, changes.resultTriangles, *this->InputTree, limit, this->Exec))
     {
+      this->ResultFailed[edit.triangleOrigin[triangle]] = 1;
       this->markWrong(edit, triangle);
     }
     std::vector<Index> number(this->Input.points.size());
@@ -286,13 +325,75 @@ private:
       number[this->Ordered.pointNames[point]] = point;
     }
     const TriangleTree tree(edit.mesh, this->Exec);
-    for (const Index triangle : trianglesBeyond(this->Input, tree, limit, this->Exec))
+    this->InputFailed.assign(this->Input.triangles.size(), 0);
+    for (const Index triangle :
+      beyondAmong(this->Input, changes.inputTriangles, tree, limit, this->Exec))
     {
+      this->InputFailed[triangle] = 1;
       for (const Index corner : this->Input.triangles[triangle])
       {
         this->markWrong(this->nameOfSurvivor(run, number[corner]));
       }
     }
+    this->Checked = edit;
+  }
+
+  /// What a new result has to be checked for, after the last one.
+  struct Changes
+  {
+    std::vector<Index> resultTriangles; ///< that are new
+    std::vector<Index> inputTriangles;  ///< near to those of the last result that are gone
+  };
+
+  /// What was within the limit of a triangle still is while this one is there.
+  Changes changesTo(const SurfaceEdit& edit)
+  {
+    Changes changes;
+    std::vector<Index> before(this->Input.triangles.size(), kNone); // by their names
+    for (Index t = 0; t < this->Checked.mesh.triangles.size(); ++t)
+    {
+      before[this->Checked.triangleOrigin[t]] = t;
+    }
+    for (Index t = 0; t < edit.mesh.triangles.size(); ++t)
+    {
+      Index& old = before[edit.triangleOrigin[t]];
+      if (old != kNone && this->ResultFailed[edit.triangleOrigin[t]] == 0 &&
+        placesOf(this->Checked.mesh, old) == placesOf(edit.mesh, t))
+      {
+        old = kNone;
+      }
+      else
+      {
+        changes.resultTriangles.push_back(t);
+      }
+    }
+    if (this->Checked.mesh.triangles.empty())
+    {
+      changes.inputTriangles.resize(this->Input.triangles.size());
+      std::iota(changes.inputTriangles.begin(), changes.inputTriangles.end(), Index{ 0 });
+      return changes;
+    }
+    TriMesh gone{ this->Checked.mesh.points, {} };
+    for (const Index t : before)
+    {
+      if (t != kNone)
+      {
+        gone.triangles.push_back(this->Checked.mesh.triangles[t]);
+      }
+    }
+    const TriangleTree goneTree(gone, this->Exec);
+    changes.inputTriangles =
+      collect<Index>(static_cast<Index>(this->Input.triangles.size()), this->Exec,
+        [&](Index t, std::vector<Index>& found)
+        {
+          std::vector<Index> near;
+          goneTree.touching(boxAround(placesOf(this->Input, t), this->Options.maxDeviation), near);
+          if (!near.empty() || this->InputFailed[t] != 0)
+          {
+            found.push_back(t);
+          }
+        });
+    return changes;
   }
 
   /// The name of the point that an ordered one was contracted into.
@@ -322,7 +423,11 @@ private:
   OrderedMesh Ordered;
   std::vector<std::uint8_t> IsFixed;
   std::vector<float> CostLimits; // per ordered point
+  std::vector<float> Thresholds; // of the first round
   std::optional<TriangleTree> InputTree;
+  SurfaceEdit Checked;                    // the last result: within the limit, but for what failed
+  std::vector<std::uint8_t> ResultFailed; // per input triangle that is left
+  std::vector<std::uint8_t> InputFailed;  // per input triangle
   std::optional<std::vector<std::uint8_t>> IntersectsInInput; // per input point
   std::vector<std::uint8_t> IsWrong;                          // per input point that is left
   std::size_t CornersWrong = 0;

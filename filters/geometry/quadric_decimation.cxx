@@ -345,30 +345,23 @@ float QuadricDecimation::threshold(std::size_t triangles)
   return *place;
 }
 
-std::size_t QuadricDecimation::sweep(float threshold, std::size_t triangles, Execution& execution)
+void QuadricDecimation::sweep(float threshold, std::size_t triangles, Execution& execution)
 {
   constexpr std::size_t kHalvesToPoll = 1 << 16;
-  std::size_t contracted = 0;
   for (Index half = 0; half < this->EdgeCosts.size() && this->Mesh.triangles > triangles; ++half)
   {
     if (half % kHalvesToPoll == 0 && execution.cancelled())
     {
       break;
     }
-    if (!(this->EdgeCosts[half] <= threshold))
+    if (this->EdgeCosts[half] <= threshold)
     {
-      continue;
-    }
-    if (const float cost = this->tryContraction(half, threshold); cost > 0.0F)
-    {
-      this->EdgeCosts[half] = cost;
-    }
-    else
-    {
-      ++contracted;
+      if (const float cost = this->tryContraction(half, threshold); cost > 0.0F)
+      {
+        this->EdgeCosts[half] = cost;
+      }
     }
   }
-  return contracted;
 }
 
 void QuadricDecimation::run(std::size_t triangles, double meanDistance, Execution& execution)
@@ -386,16 +379,19 @@ void QuadricDecimation::run(std::size_t triangles, double meanDistance, Executio
       }
     });
   const std::size_t all = this->Mesh.triangles;
-  while (this->Mesh.triangles > triangles)
+  for (std::size_t i = 0; this->Mesh.triangles > triangles; ++i)
   {
-    const std::size_t total = all - triangles;
-    execution.step("decimate", all - this->Mesh.triangles, total);
-    const float limit = this->threshold(triangles);
-    if (limit == kNever)
+    execution.step("decimate", all - this->Mesh.triangles, all - triangles);
+    if (i == this->thresholds.size())
     {
-      break;
+      const float next = this->threshold(triangles);
+      if (next == kNever)
+      {
+        break;
+      }
+      this->thresholds.push_back(next);
     }
-    this->sweep(limit, triangles, execution);
+    this->sweep(this->thresholds[i], triangles, execution);
     if (this->Mesh.triangles * 2 < this->Mesh.corner.size() / 3)
     {
       this->compact();

@@ -34,6 +34,10 @@ public:
   /// Per point the largest cost of a contraction that it may take part in.
   std::vector<float> costLimits;
 
+  /// The thresholds of the sweeps. Those that are given are used again before others are chosen:
+  /// then all is as it was far from where limits are new.
+  std::vector<float> thresholds;
+
   /// Contracts until so many triangles are left, or until no edge is left whose planes are on
   /// average (root mean square) within a distance.
   void run(std::size_t triangles, double meanDistance, Execution& execution);
@@ -70,7 +74,7 @@ private:
   bool keepsShapes(Index half, const Vec3& place) const;
   double squaredLoss(Index half, const Vec3& place, double enough) const;
   float threshold(std::size_t triangles);
-  std::size_t sweep(float threshold, std::size_t triangles, Execution& execution);
+  void sweep(float threshold, std::size_t triangles, Execution& execution);
   float tryContraction(Index half, float threshold);
   void contract(Index half, const Contraction& contraction);
   void updateCosts(Index point);
