@@ -41,7 +41,7 @@ Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own)
 
 std::vector<Operation> surfaceOperations()
 {
-  return { thickenOperation(), offsetOperation(), sharpenOperation() };
+  return { decimateOperation(), thickenOperation(), offsetOperation(), sharpenOperation() };
 }
 
 } // namespace scan

@@ -34,6 +34,7 @@ vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 /// moved.
 Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = {});
 
+Operation decimateOperation();
 Operation thickenOperation();
 Operation offsetOperation();
 Operation sharpenOperation();

@@ -142,16 +142,6 @@ SurfaceEdit editOf(const QuadricDecimation& run, const OrderedMesh& ordered, con
   return edit;
 }
 
-void requireFinite(const TriMesh& mesh)
-{
-  const bool isFinite = std::ranges::all_of(mesh.points,
-    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
-  if (!isFinite)
-  {
-    throw Error(ErrorCode::badInput, "a point is not finite; remove it before decimating");
-  }
-}
-
 std::vector<std::uint8_t> cornersOf(
   const TriMesh& mesh, std::span<const TrianglePair> pairs, std::size_t points)
 {
@@ -435,7 +425,7 @@ private:
 
 } // namespace
 
-DecimateResult decimate(const TriMesh& mesh, const DecimateOptions& options, Execution& execution)
+void requireDecimation(const TriMesh& mesh, const DecimateOptions& options)
 {
   if (options.triangles == 0 && !std::isfinite(options.maxDeviation))
   {
@@ -443,7 +433,17 @@ DecimateResult decimate(const TriMesh& mesh, const DecimateOptions& options, Exe
       "say how far to go: a number of triangles, a share of them, or a largest deviation");
   }
   requireCorners(mesh);
-  requireFinite(mesh);
+  const bool isFinite = std::ranges::all_of(mesh.points,
+    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+  if (!isFinite)
+  {
+    throw Error(ErrorCode::badInput, "a point is not finite; remove it before decimating");
+  }
+}
+
+DecimateResult decimate(const TriMesh& mesh, const DecimateOptions& options, Execution& execution)
+{
+  requireDecimation(mesh, options);
   DecimateResult result;
   if (mesh.triangles.size() <= options.triangles || mesh.triangles.empty())
   {

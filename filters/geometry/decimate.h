@@ -56,4 +56,7 @@ struct DecimateResult
 /// for a million triangles without a limit; the same result on any number of threads.
 DecimateResult decimate(const TriMesh& mesh, const DecimateOptions& options, Execution& execution);
 
+/// Throws what decimate() throws for a mesh and options that it cannot work with.
+void requireDecimation(const TriMesh& mesh, const DecimateOptions& options);
+
 } // namespace scan

@@ -28,6 +28,8 @@ public:
     this->Modified();
   }
 
+  const scan::Length& GetMaxDeviation() const { return this->MaxDeviation; }
+
   /// Whether to measure how far the surface moves. Default: true.
   void SetMeasure(bool measure)
   {
