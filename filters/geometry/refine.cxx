@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: The Scanwrap authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filters/geometry/refine.h"
+
+#include "filters/base/error.h"
+#include "filters/geometry/limited_move.h"
+#include "filters/geometry/local_plane.h"
+#include "filters/geometry/loop_rules.h"
+#include "filters/geometry/refine_blends.h"
+#include "filters/geometry/refine_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <unistd.h>
+
+namespace scan
+{
+namespace
+{
+
+constexpr std::size_t kGrain = 4096;
+
+/// Throws where the result cannot be counted or is too large for the machine, with the data that
+/// come with it.
+void requireRoom(std::size_t triangles, std::size_t chosen, int times)
+{
+  constexpr double kBytesPerTriangle = 150.0;
+  const double last =
+    static_cast<double>(triangles - chosen) + std::ldexp(static_cast<double>(chosen), 2 * times);
+  const double memory =
+    static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  const bool isTooMany = last >= kNone / 3.0;
+  if (isTooMany || (memory > 0.0 && last * kBytesPerTriangle > memory))
+  {
+    throw Error(ErrorCode::limit,
+      "refine: that would make " + std::to_string(static_cast<long long>(last)) +
+        " triangles, more than " +
+        (isTooMany ? "can be counted" : "the memory of this machine holds") +
+        "; refine fewer times or a smaller region");
+  }
+}
+
+/// The surface between two rounds.
+struct Surface
+{
+  TriMesh mesh;
+  std::vector<std::uint8_t> isChosen; ///< per triangle
+  std::vector<std::uint8_t> halves;   ///< per triangle; or empty
+  std::vector<std::uint8_t> creases;  ///< per triangle a bit for each edge; or empty
+  std::vector<Index> origin;          ///< per triangle that of the input
+  std::vector<Vec3> flat;             ///< per point its place in the input; empty: all are there
+};
+
+class Refiner
+{
+public:
+  Refiner(const TriMesh& mesh, const RefineOptions& options, Execution& execution)
+    : Options(options)
+    , Run(execution)
+    , Blends(static_cast<Index>(mesh.points.size()))
+    , IsHeld(mesh.points.size(), 0)
+  {
+    double largest = 0.0;
+    for (const Vec3& p : mesh.points)
+    {
+      largest = std::max({ largest, std::abs(p.x), std::abs(p.y), std::abs(p.z) });
+    }
+    // less the rounding of coordinates
+    this->Limit = std::max(0.0, options.maxDeviation - 0x1p-50 * largest);
+  }
+
+  /// Refines the chosen triangles once; false where none of them can be.
+  bool refineOnce(const TriMesh& mesh, Surface& surface, bool isLast);
+
+  RefineResult take(const TriMesh& input, Surface& surface);
+
+private:
+  bool isLoop() const { return this->Options.mode == RefineOptions::Mode::loop; }
+  void recordJoins(const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan,
+    std::span<const std::uint8_t> halves);
+  void blendMiddles(const TriMesh& mesh, const RefinePlan& plan);
+  std::vector<Vec3> flatPlaces(
+    const TriMesh& mesh, const RefinePlan& plan, std::span<const Vec3> flat);
+  std::vector<Vec3> places(
+    const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, const Surface& surface);
+  Vec3 held(Index point, const Vec3& flat, const Vec3& to, double& largest);
+  void cutTriangles(
+    const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, Surface& surface);
+
+  const RefineOptions& Options;
+  Execution& Run;
+  RefineBlends Blends;
+  double Limit = 0.0;
+  std::vector<std::uint8_t> IsHeld; // per point
+  RefineResult Result;
+};
+
+/// The ends of the edge of a new point.
+std::pair<Index, Index> endsOf(const TriMesh& mesh, Index half)
+{
+  return { originOf(mesh, half), originOf(mesh, nextHalf(half)) };
+}
+
+void Refiner::recordJoins(const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan,
+  std::span<const std::uint8_t> halves)
+{
+  std::vector<RefineBlends::Join> joins;
+  for (Index t = 0; t < halves.size(); ++t)
+  {
+    if (plan.cuts[t] == RefinePlan::Cut::join && !isSecondHalf(halves[t]))
+    {
+      const Index seam = seamOf(t, halves[t]);
+      joins.push_back({ originOf(mesh, seam), originOf(mesh, previousHalf(seam)),
+        originOf(mesh, previousHalf(fans.mate(seam))) });
+    }
+  }
+  this->Blends.addJoins(joins);
+}
+
+void Refiner::blendMiddles(const TriMesh& mesh, const RefinePlan& plan)
+{
+  const auto first = static_cast<Index>(mesh.points.size());
+  this->Blends.grow(plan.cutHalf.size());
+  this->Run.parallelFor(plan.cutHalf.size(), kGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto [a, b] = endsOf(mesh, plan.cutHalf[i]);
+        this->Blends.setMiddle(first + static_cast<Index>(i), a, b);
+      }
+    });
+}
+
+/// Whether the middle of the edge cuts a part of a triangle that is put together: such a half must
+/// stay flat, so that it can be put together with the other.
+bool cutsQuarter(const RefinePlan& plan, std::span<const std::uint8_t> halves, Index half)
+{
+  const Index t = half / 3;
+  return plan.cuts[t] == RefinePlan::Cut::join && half != 3 * t + (middleOf(halves[t]) + 1) % 3;
+}
+
+/// The middles of the edges behind the points.
+std::vector<Vec3> Refiner::flatPlaces(
+  const TriMesh& mesh, const RefinePlan& plan, std::span<const Vec3> flat)
+{
+  std::vector<Vec3> places;
+  places.reserve(flat.size() + plan.cutHalf.size());
+  places.assign(flat.begin(), flat.end());
+  for (const Index half : plan.cutHalf)
+  {
+    const auto [a, b] = endsOf(mesh, half);
+    places.push_back((flat[a] + flat[b]) * 0.5);
+  }
+  return places;
+}
+
+/// `to`, or what is allowed of the way there.
+Vec3 Refiner::held(Index point, const Vec3& flat, const Vec3& to, double& largest)
+{
+  const double shift = length(to - flat);
+  if (shift <= this->Limit)
+  {
+    largest = std::max(largest, shift);
+    return to;
+  }
+  this->IsHeld[point] = 1;
+  const Vec3 place = limitedMove(flat, to, this->Limit);
+  largest = std::max(largest, length(place - flat));
+  return place;
+}
+
+/// Where the old and the new points go by the rules of Loop.
+std::vector<Vec3> Refiner::places(
+  const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, const Surface& surface)
+{
+  const std::size_t old = mesh.points.size();
+  const LoopRules rules(mesh, fans, surface.isChosen, surface.creases);
+  const std::vector<Vec3>& flat = surface.flat.empty() ? mesh.points : surface.flat;
+  std::vector<Vec3> places(old + plan.cutHalf.size());
+  std::vector<double> largest((places.size() + kGrain - 1) / kGrain, 0.0);
+  this->IsHeld.resize(places.size(), 0);
+  const auto forPoints = [&](std::size_t first, std::size_t last, auto&& placeOf)
+  {
+    const std::size_t chunk = first / kGrain;
+    this->Run.parallelFor((last + kGrain - 1) / kGrain - chunk, 1,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t c = chunk + begin; c < chunk + end; ++c)
+        {
+          for (std::size_t i = std::max(first, c * kGrain); i < std::min(last, (c + 1) * kGrain);
+               ++i)
+          {
+            places[i] = placeOf(static_cast<Index>(i), largest[c]);
+          }
+        }
+      });
+  };
+  forPoints(0, old,
+    [&](Index point, double& most)
+    { return this->held(point, flat[point], rules.pointAt(point), most); });
+  forPoints(old, places.size(),
+    [&](Index point, double& most)
+    {
+      const Index half = plan.cutHalf[point - old];
+      const auto [a, b] = endsOf(mesh, half);
+      const bool isStraight = cutsQuarter(plan, surface.halves, half) ||
+        cutsQuarter(plan, surface.halves, fans.next(half));
+      const Vec3 to = isStraight ? (places[a] + places[b]) * 0.5 : rules.middleAt(half);
+      return this->held(point, (flat[a] + flat[b]) * 0.5, to, most);
+    });
+  this->Result.largestShift = *std::ranges::max_element(largest);
+  return places;
+}
+
+void Refiner::cutTriangles(
+  const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, Surface& surface)
+{
+  const RefinedParts parts(mesh, fans, plan, surface.halves, surface.creases);
+  std::vector<std::size_t> begins(mesh.triangles.size() + 1, 0);
+  for (Index t = 0; t < mesh.triangles.size(); ++t)
+  {
+    begins[t + 1] = begins[t] + parts.count(t);
+  }
+  const std::size_t count = begins.back();
+  const bool hasHalves = !surface.halves.empty() ||
+    std::ranges::find(plan.cuts, RefinePlan::Cut::two) != plan.cuts.end();
+  Surface cut;
+  cut.mesh.triangles.resize(count);
+  cut.isChosen.resize(count);
+  cut.origin.resize(count);
+  cut.halves.resize(hasHalves ? count : 0);
+  cut.creases.resize(surface.creases.empty() ? 0 : count);
+  this->Run.parallelFor(mesh.triangles.size(), kGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::array<RefinedPart, RefinedParts::kMost> all;
+      for (auto t = static_cast<Index>(begin); t < end; ++t)
+      {
+        const Index origin = surface.origin.empty() ? t : surface.origin[t];
+        const std::uint8_t isChosen = surface.isChosen[t];
+        const auto number = static_cast<std::size_t>(parts.write(t, all.data()) - all.data());
+        for (std::size_t i = 0; i < number; ++i)
+        {
+          const RefinedPart& part = all[i];
+          const std::size_t place = begins[t] + i;
+          cut.mesh.triangles[place] = part.corners;
+          cut.isChosen[place] = isChosen;
+          cut.origin[place] = origin;
+          if (hasHalves)
+          {
+            cut.halves[place] = part.half;
+          }
+          if (!cut.creases.empty())
+          {
+            cut.creases[place] = part.creases;
+          }
+        }
+      }
+    });
+  cut.mesh.points = std::move(surface.mesh.points);
+  cut.flat = std::move(surface.flat);
+  surface = std::move(cut);
+}
+
+bool Refiner::refineOnce(const TriMesh& mesh, Surface& surface, bool isLast)
+{
+  const EdgeFans fans(mesh, this->Run);
+  if (surface.origin.empty()) // the first time
+  {
+    surface.halves = trustedHalves(mesh, surface.halves, fans.mates());
+    if (this->isLoop())
+    {
+      surface.creases = creasesOf(mesh, fans, this->Options.creaseAngle, this->Run);
+    }
+  }
+  const RefinePlan plan = planRefinement(mesh, fans, surface.isChosen, surface.halves);
+  if (plan.cutHalf.empty())
+  {
+    return false;
+  }
+  this->Result.cutInFour += plan.cutInFour;
+  this->Result.cutInTwo += plan.cutInTwo;
+  this->Result.joined += plan.joined;
+  this->recordJoins(mesh, fans, plan, surface.halves);
+  this->blendMiddles(mesh, plan);
+  std::vector<Vec3> points = this->isLoop() ? this->places(mesh, fans, plan, surface)
+                                            : this->flatPlaces(mesh, plan, mesh.points);
+  if (this->isLoop() && !isLast)
+  {
+    surface.flat = this->flatPlaces(mesh, plan, surface.flat.empty() ? mesh.points : surface.flat);
+  }
+  this->cutTriangles(mesh, fans, plan, surface);
+  surface.mesh.points = std::move(points);
+  return true;
+}
+
+RefineResult Refiner::take(const TriMesh& input, Surface& surface)
+{
+  RefineResult& result = this->Result;
+  SurfaceEdit& edit = result.edit;
+  if (surface.origin.empty())
+  {
+    edit = unchanged(input);
+  }
+  else
+  {
+    edit.mesh = std::move(surface.mesh);
+    edit.triangleOrigin = std::move(surface.origin);
+    edit.pointOrigin.assign(edit.mesh.points.size(), kNone);
+    std::iota(edit.pointOrigin.begin(),
+      edit.pointOrigin.begin() + static_cast<std::ptrdiff_t>(input.points.size()), Index{ 0 });
+    edit.blends = this->Blends.take();
+  }
+  result.halves = std::move(surface.halves);
+  result.heldBack = static_cast<std::size_t>(std::ranges::count(this->IsHeld, 1));
+  return std::move(result);
+}
+
+} // namespace
+
+RefineResult refine(const TriMesh& mesh, std::span<const std::uint8_t> isChosen,
+  std::span<const std::uint8_t> halves, const RefineOptions& options, Execution& execution)
+{
+  const auto times = static_cast<std::size_t>(options.times);
+  execution.step("refine", 0, times);
+  const auto chosen = static_cast<std::size_t>(std::ranges::count(isChosen, 1));
+  requireRoom(mesh.triangles.size(), chosen, options.times);
+  Refiner refiner(mesh, options, execution);
+  Surface surface;
+  surface.isChosen.assign(isChosen.begin(), isChosen.end());
+  surface.halves.assign(halves.begin(), halves.end());
+  for (std::size_t time = 0; time < times; ++time)
+  {
+    const TriMesh before = std::exchange(surface.mesh, {});
+    if (!refiner.refineOnce(time == 0 ? mesh : before, surface, time + 1 == times))
+    {
+      break; // the first time: later, there is always something to refine
+    }
+    execution.step("refine", time + 1, times);
+  }
+  RefineResult result = refiner.take(mesh, surface);
+  execution.step("refine", times, times);
+  return result;
+}
+
+} // namespace scan
