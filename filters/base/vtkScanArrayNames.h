@@ -28,6 +28,10 @@ inline constexpr const char* kScanFileEnds = "ScanFileEnds";
 inline constexpr const char* kRegionNames = "RegionNames";
 inline constexpr const char* kRegionRules = "RegionRules";
 
+/// Cell data, unsigned bytes: which triangles are halves of one that refining has cut in two, as
+/// scan::halfMark() says. What no longer fits is ignored.
+inline constexpr const char* kHalf = "Half";
+
 /// Cell and field data of wraps: see vtkScanWrapData.
 inline constexpr const char* kBlock = "Block";
 inline constexpr const char* kBlockSize = "BlockSize";
