@@ -120,34 +120,35 @@ struct LoopRules::Ring
 };
 
 /// Goes around the point, whatever way triangles face, beginning with the edge of `half`, which
-/// ends in it. Adds the other ends of edges. Returns kNone at an edge that has not two triangles,
-/// else `half` when it is back there.
-Index LoopRules::turn(Index point, Index half, Ring& ring) const
+/// has it at one end and `neighbour` at the other. Adds the neighbours. Returns false at an edge
+/// that has not two triangles, else true when it is back.
+bool LoopRules::turn(Index point, Index half, Index neighbour, Ring& ring) const
 {
   Index edge = half;
   do
   {
-    const Index origin = originOf(this->Mesh, edge);
-    const Index other = origin == point ? originOf(this->Mesh, nextHalf(edge)) : origin;
     const Index mate = this->Fans.mate(edge);
-    ring.add(this->Mesh.points[other], mate == kNone || this->isCrease(edge));
+    ring.add(this->Mesh.points[neighbour], mate == kNone || this->isCrease(edge));
     if (mate == kNone)
     {
-      return kNone;
+      return false;
     }
     ++ring.triangles;
-    edge = originOf(this->Mesh, mate) == point ? previousHalf(mate) : nextHalf(mate);
+    const HalfCorners corners = cornersOf(this->Mesh, mate);
+    neighbour = corners.across;
+    edge = corners.from == point ? previousHalf(mate) : nextHalf(mate);
   } while (edge != half);
-  return half;
+  return true;
 }
 
 LoopRules::Ring LoopRules::ringOf(Index point) const
 {
   Ring ring;
   const Index half = this->Corners[point].half;
-  if (this->turn(point, previousHalf(half), ring) == kNone)
+  const HalfCorners corners = cornersOf(this->Mesh, half);
+  if (!this->turn(point, previousHalf(half), corners.across, ring))
   {
-    this->turn(point, half, ring);
+    this->turn(point, half, corners.to, ring);
     ++ring.triangles; // where both turns began
   }
   return ring;
@@ -176,17 +177,17 @@ Vec3 LoopRules::pointAt(Index point) const
 
 Vec3 LoopRules::middleAt(Index half) const
 {
-  const Vec3& p = this->Mesh.points[originOf(this->Mesh, half)];
-  const Vec3& q = this->Mesh.points[originOf(this->Mesh, nextHalf(half))];
+  const auto& points = this->Mesh.points;
+  const HalfCorners corners = cornersOf(this->Mesh, half);
+  const Vec3 ends = points[corners.from] + points[corners.to];
   const Index mate = this->Fans.mate(half);
   if (mate == kNone || this->isCrease(half) || this->IsChosen[half / 3] == 0 ||
     this->IsChosen[mate / 3] == 0)
   {
-    return (p + q) * 0.5;
+    return ends * 0.5;
   }
-  const Vec3& r = this->Mesh.points[originOf(this->Mesh, previousHalf(half))];
-  const Vec3& s = this->Mesh.points[originOf(this->Mesh, previousHalf(mate))];
-  return (p + q) * 0.375 + (r + s) * 0.125;
+  return ends * 0.375 +
+    (points[corners.across] + points[cornersOf(this->Mesh, mate).across]) * 0.125;
 }
 
 } // namespace scan

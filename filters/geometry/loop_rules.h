@@ -47,7 +47,7 @@ private:
   {
     return !this->Creases.empty() && ((this->Creases[half / 3] >> (half % 3)) & 1U) != 0;
   }
-  Index turn(Index point, Index half, Ring& ring) const;
+  bool turn(Index point, Index half, Index neighbour, Ring& ring) const;
   Ring ringOf(Index point) const;
 
   const TriMesh& Mesh;

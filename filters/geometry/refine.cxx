@@ -3,17 +3,17 @@
 #include "filters/geometry/refine.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/huge_pages.h"
 #include "filters/geometry/limited_move.h"
-#include "filters/geometry/local_plane.h"
 #include "filters/geometry/loop_rules.h"
 #include "filters/geometry/refine_blends.h"
 #include "filters/geometry/refine_plan.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -73,6 +73,7 @@ public:
     }
     // less the rounding of coordinates
     this->Limit = std::max(0.0, options.maxDeviation - 0x1p-50 * largest);
+    this->SafeSquare = this->Limit * this->Limit * (1.0 - 0x1p-50);
   }
 
   /// Refines the chosen triangles once; false where none of them can be.
@@ -84,11 +85,11 @@ private:
   bool isLoop() const { return this->Options.mode == RefineOptions::Mode::loop; }
   void recordJoins(const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan,
     std::span<const std::uint8_t> halves);
-  void blendMiddles(const TriMesh& mesh, const RefinePlan& plan);
   std::vector<Vec3> flatPlaces(
     const TriMesh& mesh, const RefinePlan& plan, std::span<const Vec3> flat);
-  std::vector<Vec3> places(
+  std::vector<Vec3> loopPlaces(
     const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, const Surface& surface);
+  void blendMiddles(const TriMesh& mesh, const RefinePlan& plan);
   Vec3 held(Index point, const Vec3& flat, const Vec3& to, double& largest);
   void cutTriangles(
     const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, Surface& surface);
@@ -97,14 +98,38 @@ private:
   Execution& Run;
   RefineBlends Blends;
   double Limit = 0.0;
+  double SafeSquare = 0.0;          // surely within the limit
   std::vector<std::uint8_t> IsHeld; // per point
   RefineResult Result;
 };
 
-/// The ends of the edge of a new point.
-std::pair<Index, Index> endsOf(const TriMesh& mesh, Index half)
+double squaredLength(const Vec3& v)
 {
-  return { originOf(mesh, half), originOf(mesh, nextHalf(half)) };
+  return dot(v, v);
+}
+
+/// Sets the number to the value where that is larger.
+void raise(std::atomic<double>& number, double value)
+{
+  double before = number.load(std::memory_order_relaxed);
+  while (before < value && !number.compare_exchange_weak(before, value, std::memory_order_relaxed))
+  {
+  }
+}
+
+/// Calls grow(size) and then fill(begin, end), in parallel, block after block: what is new in
+/// memory is filled while it is near.
+template <class Grow, class Fill>
+void inBlocks(Execution& execution, std::size_t count, Grow&& grow, Fill&& fill)
+{
+  constexpr std::size_t kBlock = 8 * kGrain;
+  for (std::size_t first = 0; first < count; first += kBlock)
+  {
+    const std::size_t last = std::min(count, first + kBlock);
+    grow(last);
+    execution.parallelFor(last - first, kGrain,
+      [&](std::size_t begin, std::size_t end) { fill(first + begin, first + end); });
+  }
 }
 
 void Refiner::recordJoins(const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan,
@@ -126,14 +151,15 @@ void Refiner::recordJoins(const TriMesh& mesh, const EdgeFans& fans, const Refin
 void Refiner::blendMiddles(const TriMesh& mesh, const RefinePlan& plan)
 {
   const auto first = static_cast<Index>(mesh.points.size());
-  this->Blends.grow(plan.cutHalf.size());
-  this->Run.parallelFor(plan.cutHalf.size(), kGrain,
+  this->Blends.reserve(first + plan.cutHalf.size());
+  inBlocks(
+    this->Run, plan.cutHalf.size(), [&](std::size_t size) { this->Blends.grow(first + size); },
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto [a, b] = endsOf(mesh, plan.cutHalf[i]);
-        this->Blends.setMiddle(first + static_cast<Index>(i), a, b);
+        const HalfCorners ends = cornersOf(mesh, plan.cutHalf[i]);
+        this->Blends.setMiddle(first + static_cast<Index>(i), ends.from, ends.to);
       }
     });
 }
@@ -151,71 +177,83 @@ std::vector<Vec3> Refiner::flatPlaces(
   const TriMesh& mesh, const RefinePlan& plan, std::span<const Vec3> flat)
 {
   std::vector<Vec3> places;
-  places.reserve(flat.size() + plan.cutHalf.size());
+  reserveLarge(places, flat.size() + plan.cutHalf.size());
   places.assign(flat.begin(), flat.end());
-  for (const Index half : plan.cutHalf)
-  {
-    const auto [a, b] = endsOf(mesh, half);
-    places.push_back((flat[a] + flat[b]) * 0.5);
-  }
+  inBlocks(
+    this->Run, plan.cutHalf.size(), [&](std::size_t size) { places.resize(flat.size() + size); },
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const HalfCorners ends = cornersOf(mesh, plan.cutHalf[i]);
+        places[flat.size() + i] = (flat[ends.from] + flat[ends.to]) * 0.5;
+      }
+    });
   return places;
 }
 
 /// `to`, or what is allowed of the way there.
+/// @param largest the square of the longest way so far
 Vec3 Refiner::held(Index point, const Vec3& flat, const Vec3& to, double& largest)
 {
-  const double shift = length(to - flat);
-  if (shift <= this->Limit)
+  const double square = squaredLength(to - flat);
+  if (square <= this->SafeSquare)
   {
-    largest = std::max(largest, shift);
+    largest = std::max(largest, square);
     return to;
   }
-  this->IsHeld[point] = 1;
   const Vec3 place = limitedMove(flat, to, this->Limit);
-  largest = std::max(largest, length(place - flat));
+  this->IsHeld[point] = place != to ? 1 : this->IsHeld[point];
+  largest = std::max(largest, squaredLength(place - flat));
   return place;
 }
 
 /// Where the old and the new points go by the rules of Loop.
-std::vector<Vec3> Refiner::places(
+std::vector<Vec3> Refiner::loopPlaces(
   const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, const Surface& surface)
 {
   const std::size_t old = mesh.points.size();
   const LoopRules rules(mesh, fans, surface.isChosen, surface.creases);
   const std::vector<Vec3>& flat = surface.flat.empty() ? mesh.points : surface.flat;
-  std::vector<Vec3> places(old + plan.cutHalf.size());
-  std::vector<double> largest((places.size() + kGrain - 1) / kGrain, 0.0);
-  this->IsHeld.resize(places.size(), 0);
-  const auto forPoints = [&](std::size_t first, std::size_t last, auto&& placeOf)
+  const std::span<const std::uint8_t> halves = surface.halves;
+  this->IsHeld.resize(old + plan.cutHalf.size(), 0);
+  const auto isStraight = [&](Index half)
   {
-    const std::size_t chunk = first / kGrain;
-    this->Run.parallelFor((last + kGrain - 1) / kGrain - chunk, 1,
+    return !halves.empty() &&
+      (cutsQuarter(plan, halves, half) || cutsQuarter(plan, halves, fans.next(half)));
+  };
+  std::atomic<double> largest = 0.0; // squared
+  std::vector<Vec3> places;
+  reserveLarge(places, this->IsHeld.size());
+  const auto make = [&](std::size_t count, auto&& placeOf)
+  {
+    const std::size_t first = places.size();
+    inBlocks(
+      this->Run, count, [&](std::size_t size) { places.resize(first + size); },
       [&](std::size_t begin, std::size_t end)
       {
-        for (std::size_t c = chunk + begin; c < chunk + end; ++c)
+        double most = 0.0;
+        for (std::size_t i = begin; i < end; ++i)
         {
-          for (std::size_t i = std::max(first, c * kGrain); i < std::min(last, (c + 1) * kGrain);
-               ++i)
-          {
-            places[i] = placeOf(static_cast<Index>(i), largest[c]);
-          }
+          places[first + i] = placeOf(static_cast<Index>(i), most);
         }
+        raise(largest, most);
       });
   };
-  forPoints(0, old,
+  make(old,
     [&](Index point, double& most)
     { return this->held(point, flat[point], rules.pointAt(point), most); });
-  forPoints(old, places.size(),
-    [&](Index point, double& most)
+  make(plan.cutHalf.size(),
+    [&](Index i, double& most)
     {
-      const Index half = plan.cutHalf[point - old];
-      const auto [a, b] = endsOf(mesh, half);
-      const bool isStraight = cutsQuarter(plan, surface.halves, half) ||
-        cutsQuarter(plan, surface.halves, fans.next(half));
-      const Vec3 to = isStraight ? (places[a] + places[b]) * 0.5 : rules.middleAt(half);
-      return this->held(point, (flat[a] + flat[b]) * 0.5, to, most);
+      const Index half = plan.cutHalf[i];
+      const HalfCorners ends = cornersOf(mesh, half);
+      const Vec3 to =
+        isStraight(half) ? (places[ends.from] + places[ends.to]) * 0.5 : rules.middleAt(half);
+      return this->held(
+        static_cast<Index>(old) + i, (flat[ends.from] + flat[ends.to]) * 0.5, to, most);
     });
-  this->Result.largestShift = *std::ranges::max_element(largest);
+  this->Result.largestShift = std::sqrt(largest.load());
   return places;
 }
 
@@ -223,48 +261,58 @@ void Refiner::cutTriangles(
   const TriMesh& mesh, const EdgeFans& fans, const RefinePlan& plan, Surface& surface)
 {
   const RefinedParts parts(mesh, fans, plan, surface.halves, surface.creases);
-  std::vector<std::size_t> begins(mesh.triangles.size() + 1, 0);
+  LargeArray<Index> begins(mesh.triangles.size() + 1);
+  begins[0] = 0;
   for (Index t = 0; t < mesh.triangles.size(); ++t)
   {
     begins[t + 1] = begins[t] + parts.count(t);
   }
   const std::size_t count = begins.back();
-  const bool hasHalves = !surface.halves.empty() ||
-    std::ranges::find(plan.cuts, RefinePlan::Cut::two) != plan.cuts.end();
+  const bool hasHalves = !surface.halves.empty() || plan.cutInTwo > 0;
+  const bool hasCreases = !surface.creases.empty();
   Surface cut;
-  cut.mesh.triangles.resize(count);
-  cut.isChosen.resize(count);
-  cut.origin.resize(count);
-  cut.halves.resize(hasHalves ? count : 0);
-  cut.creases.resize(surface.creases.empty() ? 0 : count);
-  this->Run.parallelFor(mesh.triangles.size(), kGrain,
+  reserveLarge(cut.mesh.triangles, count);
+  cut.isChosen.reserve(count);
+  reserveLarge(cut.origin, count);
+  cut.halves.reserve(hasHalves ? count : 0);
+  cut.creases.reserve(hasCreases ? count : 0);
+  const auto grow = [&](std::size_t triangles)
+  {
+    const Index size = begins[triangles];
+    cut.mesh.triangles.resize(size);
+    cut.isChosen.resize(size);
+    cut.origin.resize(size);
+    cut.halves.resize(hasHalves ? size : 0);
+    cut.creases.resize(hasCreases ? size : 0);
+  };
+  const auto write = [&](Index t, Index origin)
+  {
+    std::array<RefinedPart, RefinedParts::kMost> all;
+    const RefinedPart* const end = parts.write(t, all.data());
+    Index place = begins[t];
+    for (const RefinedPart* part = all.data(); part != end; ++part, ++place)
+    {
+      cut.mesh.triangles[place] = part->corners;
+      cut.isChosen[place] = surface.isChosen[t];
+      cut.origin[place] = origin;
+      if (hasHalves)
+      {
+        cut.halves[place] = part->half;
+      }
+      if (hasCreases)
+      {
+        cut.creases[place] = part->creases;
+      }
+    }
+  };
+  inBlocks(this->Run, mesh.triangles.size(), grow,
     [&](std::size_t begin, std::size_t end)
     {
-      std::array<RefinedPart, RefinedParts::kMost> all;
       for (auto t = static_cast<Index>(begin); t < end; ++t)
       {
-        const Index origin = surface.origin.empty() ? t : surface.origin[t];
-        const std::uint8_t isChosen = surface.isChosen[t];
-        const auto number = static_cast<std::size_t>(parts.write(t, all.data()) - all.data());
-        for (std::size_t i = 0; i < number; ++i)
-        {
-          const RefinedPart& part = all[i];
-          const std::size_t place = begins[t] + i;
-          cut.mesh.triangles[place] = part.corners;
-          cut.isChosen[place] = isChosen;
-          cut.origin[place] = origin;
-          if (hasHalves)
-          {
-            cut.halves[place] = part.half;
-          }
-          if (!cut.creases.empty())
-          {
-            cut.creases[place] = part.creases;
-          }
-        }
+        write(t, surface.origin.empty() ? t : surface.origin[t]);
       }
     });
-  cut.mesh.points = std::move(surface.mesh.points);
   cut.flat = std::move(surface.flat);
   surface = std::move(cut);
 }
@@ -290,7 +338,7 @@ bool Refiner::refineOnce(const TriMesh& mesh, Surface& surface, bool isLast)
   this->Result.joined += plan.joined;
   this->recordJoins(mesh, fans, plan, surface.halves);
   this->blendMiddles(mesh, plan);
-  std::vector<Vec3> points = this->isLoop() ? this->places(mesh, fans, plan, surface)
+  std::vector<Vec3> points = this->isLoop() ? this->loopPlaces(mesh, fans, plan, surface)
                                             : this->flatPlaces(mesh, plan, mesh.points);
   if (this->isLoop() && !isLast)
   {
@@ -313,6 +361,7 @@ RefineResult Refiner::take(const TriMesh& input, Surface& surface)
   {
     edit.mesh = std::move(surface.mesh);
     edit.triangleOrigin = std::move(surface.origin);
+    reserveLarge(edit.pointOrigin, edit.mesh.points.size());
     edit.pointOrigin.assign(edit.mesh.points.size(), kNone);
     std::iota(edit.pointOrigin.begin(),
       edit.pointOrigin.begin() + static_cast<std::ptrdiff_t>(input.points.size()), Index{ 0 });

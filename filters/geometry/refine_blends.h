@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/geometry/huge_pages.h"
 #include "filters/geometry/surface_edit.h"
 
 #include <array>
@@ -27,9 +28,9 @@ public:
   using Join = std::array<Index, 3>;
   void addJoins(std::span<const Join> joins);
 
-  /// Makes room for so many more new points; the numbers that the next ones have go on from
-  /// those of the input.
-  void grow(std::size_t points) { this->Blends.resize(this->Blends.size() + points); }
+  /// Makes room for so many points, those of the input among them.
+  void reserve(std::size_t points) { reserveLarge(this->Blends, points - this->Points); }
+  void grow(std::size_t points) { this->Blends.resize(points - this->Points); }
 
   /// Sets the blend of a new point in the middle between two that have theirs.
   void setMiddle(Index point, Index a, Index b);

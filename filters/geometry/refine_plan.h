@@ -14,6 +14,20 @@
 namespace scan
 {
 
+/// The ends of a half-edge, and the corner across.
+struct HalfCorners
+{
+  Index from;
+  Index to;
+  Index across;
+};
+inline HalfCorners cornersOf(const TriMesh& mesh, Index half)
+{
+  const Index k = half % 3;
+  const Triangle& corners = mesh.triangles[half / 3];
+  return { corners[k], corners[k == 2 ? 0 : k + 1], corners[k == 0 ? 2 : k - 1] };
+}
+
 /// The half-edges of an edge, whatever their number.
 class EdgeFans
 {
