@@ -438,8 +438,8 @@ TEST(Refine, AnglesStayHoweverOftenASpotIsRefined)
     double without = before; // marks
     TriMesh unmarked = start;
     const MeshReport report = describeMesh(start);
-    Vec3 spot = start.points[0];
-    Vec3 unmarkedSpot = spot;
+    Vec3 markedSpot = start.points[0];
+    Vec3 unmarkedSpot = markedSpot;
     const auto spotOf = [&](const TriMesh& at, int round, Vec3& spot)
     {
       Random random(static_cast<std::uint64_t>(round));
@@ -456,7 +456,7 @@ TEST(Refine, AnglesStayHoweverOftenASpotIsRefined)
     for (int round = 0; round < 12; ++round)
     {
       const RefineResult result =
-        refined(mesh, { .mode = Mode::midpoint }, spotOf(mesh, round, spot), halves);
+        refined(mesh, { .mode = Mode::midpoint }, spotOf(mesh, round, markedSpot), halves);
       mesh = result.edit.mesh;
       halves = result.halves;
       smallest = std::min(smallest, smallestAngle(mesh));
