@@ -39,7 +39,7 @@ void requireRoom(std::size_t triangles, std::size_t chosen, int times)
   if (isTooMany || (memory > 0.0 && last * kBytesPerTriangle > memory))
   {
     throw Error(ErrorCode::limit,
-      "refine: that would make " + std::to_string(static_cast<long long>(last)) +
+      "that would make " + std::to_string(static_cast<long long>(last)) +
         " triangles, more than " +
         (isTooMany ? "can be counted" : "the memory of this machine holds") +
         "; refine fewer times or a smaller region");

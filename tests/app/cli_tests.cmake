@@ -51,6 +51,8 @@ scan_cli_test(RepairAngles "scanwrap $DATA/plate_hole.xyz wrap repair-angles --v
 scan_cli_test(RemoveWebsOfASolid "scanwrap $DATA/torus.xyz wrap remove-webs -o out.stl" FILES out.stl ERR "^scanwrap: remove-webs: nothing changed\n$")
 scan_cli_test(OpenOrCapped "scanwrap $DATA/monkey_saddle.xyz wrap --open=cap info wrap --open=keep info" OUT "closed +yes\n.*closed +no\n")
 scan_cli_test(Front "scanwrap $DATA/torus.xyz wrap --mode=front info" OUT "triangles +10000\n.*genus +1\n")
+scan_cli_test(RefineTwice "scanwrap $DATA/torus.xyz wrap refine --times=2 info" OUT "triangles +160000\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(RefineHereAndThere "scanwrap $DATA/torus.xyz wrap refine --mode=midpoint --region='sphere(1.35,0,0,0.3)' refine --region='sphere(1.35,0,0,0.2)' refine --region='sphere(1.35,0,0,0.4)' --verbose info" OUT "closed +yes\n.*genus +1\n" ERR "halves-joined +[1-9]")
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
 scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic.front\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
