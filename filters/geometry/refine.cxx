@@ -39,8 +39,7 @@ void requireRoom(std::size_t triangles, std::size_t chosen, int times)
   if (isTooMany || (memory > 0.0 && last * kBytesPerTriangle > memory))
   {
     throw Error(ErrorCode::limit,
-      "that would make " + std::to_string(static_cast<long long>(last)) +
-        " triangles, more than " +
+      "that would make " + std::to_string(static_cast<long long>(last)) + " triangles, more than " +
         (isTooMany ? "can be counted" : "the memory of this machine holds") +
         "; refine fewer times or a smaller region");
   }
@@ -285,32 +284,35 @@ void Refiner::cutTriangles(
     cut.halves.resize(hasHalves ? size : 0);
     cut.creases.resize(hasCreases ? size : 0);
   };
-  const auto write = [&](Index t, Index origin)
-  {
-    std::array<RefinedPart, RefinedParts::kMost> all;
-    const RefinedPart* const end = parts.write(t, all.data());
-    Index place = begins[t];
-    for (const RefinedPart* part = all.data(); part != end; ++part, ++place)
-    {
-      cut.mesh.triangles[place] = part->corners;
-      cut.isChosen[place] = surface.isChosen[t];
-      cut.origin[place] = origin;
-      if (hasHalves)
-      {
-        cut.halves[place] = part->half;
-      }
-      if (hasCreases)
-      {
-        cut.creases[place] = part->creases;
-      }
-    }
-  };
   inBlocks(this->Run, mesh.triangles.size(), grow,
     [&](std::size_t begin, std::size_t end)
     {
+      // pointers of its own, which the compiler knows that writing bytes cannot change
+      Triangle* const triangles = cut.mesh.triangles.data();
+      Index* const origins = cut.origin.data();
+      std::uint8_t* const isChosen = cut.isChosen.data();
+      std::uint8_t* const halves = hasHalves ? cut.halves.data() : nullptr;
+      std::uint8_t* const creases = hasCreases ? cut.creases.data() : nullptr;
+      const Index* const origin = surface.origin.empty() ? nullptr : surface.origin.data();
+      std::array<RefinedPart, RefinedParts::kMost> all;
       for (auto t = static_cast<Index>(begin); t < end; ++t)
       {
-        write(t, surface.origin.empty() ? t : surface.origin[t]);
+        const RefinedPart* const last = parts.write(t, all.data());
+        Index place = begins[t];
+        for (const RefinedPart* part = all.data(); part != last; ++part, ++place)
+        {
+          triangles[place] = part->corners;
+          origins[place] = origin != nullptr ? origin[t] : t;
+          isChosen[place] = surface.isChosen[t];
+          if (halves != nullptr)
+          {
+            halves[place] = part->half;
+          }
+          if (creases != nullptr)
+          {
+            creases[place] = part->creases;
+          }
+        }
       }
     });
   cut.flat = std::move(surface.flat);
