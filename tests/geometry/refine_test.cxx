@@ -520,6 +520,26 @@ TEST(Refine, ArbitraryMarksDoNoHarm)
   }
 }
 
+TEST(Refine, SeveralTimesAreOneAfterTheOther)
+{
+  const std::uint64_t seed = pointSeed();
+  Random random(seed);
+  for (const auto& [name, mesh] : manifolds())
+  {
+    const auto region = randomRegion(mesh, random);
+    const RefineResult once = refined(mesh, {}, region);
+    std::vector<std::uint8_t> parts(once.edit.triangleOrigin.size());
+    std::ranges::transform(
+      once.edit.triangleOrigin, parts.begin(), [&](Index origin) { return region[origin]; });
+    const RefineResult again = refined(once.edit.mesh, {}, parts, once.halves);
+    const RefineResult twice = refined(mesh, { .times = 2 }, region);
+    EXPECT_EQ(twice.edit.mesh.points, again.edit.mesh.points) << name << " seed " << seed;
+    EXPECT_EQ(twice.edit.mesh.triangles, again.edit.mesh.triangles) << name;
+    EXPECT_EQ(twice.halves, again.halves) << name;
+    EXPECT_EQ(twice.cutInTwo, once.cutInTwo + again.cutInTwo) << name;
+  }
+}
+
 /// As both surfaces are linear on the same triangles, the points tell how far they are apart.
 TEST(RefineLoop, StaysWithinTheDistance)
 {
