@@ -322,13 +322,10 @@ void Refiner::cutTriangles(
 bool Refiner::refineOnce(const TriMesh& mesh, Surface& surface, bool isLast)
 {
   const EdgeFans fans(mesh, this->Run);
-  if (surface.origin.empty()) // the first time
+  surface.halves = trustedHalves(mesh, surface.halves, fans.mates());
+  if (surface.origin.empty() && this->isLoop()) // the first time
   {
-    surface.halves = trustedHalves(mesh, surface.halves, fans.mates());
-    if (this->isLoop())
-    {
-      surface.creases = creasesOf(mesh, fans, this->Options.creaseAngle, this->Run);
-    }
+    surface.creases = creasesOf(mesh, fans, this->Options.creaseAngle, this->Run);
   }
   const RefinePlan plan = planRefinement(mesh, fans, surface.isChosen, surface.halves);
   if (plan.cutHalf.empty())

@@ -524,9 +524,16 @@ TEST(Refine, SeveralTimesAreOneAfterTheOther)
 {
   const std::uint64_t seed = pointSeed();
   Random random(seed);
-  for (const auto& [name, mesh] : manifolds())
+  std::vector<NamedMesh> meshes = manifolds();
+  std::ranges::move(awkwardMeshes(), std::back_inserter(meshes));
+  TriMesh doubled = corpus::square();
+  doubled.triangles.push_back(doubled.triangles[1]);
+  meshes.push_back({ "doubled", doubled });
+  for (const auto& [name, mesh] : meshes)
   {
-    const auto region = randomRegion(mesh, random);
+    const auto region = mesh.triangles.size() == 3 ? std::vector<std::uint8_t>{ 1, 0, 0 }
+      : mesh.triangles.empty()                     ? std::vector<std::uint8_t>{}
+                                                   : randomRegion(mesh, random);
     const RefineResult once = refined(mesh, {}, region);
     std::vector<std::uint8_t> parts(once.edit.triangleOrigin.size());
     std::ranges::transform(
