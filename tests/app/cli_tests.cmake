@@ -59,6 +59,8 @@ scan_cli_test(ThickenARegion "scanwrap $DATA/torus.xyz wrap thicken --side=out -
 scan_cli_test(OffsetThereAndBack "scanwrap $DATA/torus.xyz wrap offset --distance=0.01 --verbose offset --distance=-0.01 info"
   ERR "points-moved +5000\n.*largest-deviation +0\\.01" OUT "triangles +10000\n.*closed +yes\n")
 scan_cli_test(Sharpen "scanwrap $DATA/plate_hole.xyz wrap sharpen --verbose info" ERR "edges-cut +[0-9]+\n" OUT "closed +yes\nmanifold +yes\n")
+scan_cli_test(RefineTwice "scanwrap $DATA/torus.xyz wrap refine --times=2 info" OUT "triangles +160000\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(RefineHereAndThere "scanwrap $DATA/torus.xyz wrap refine --mode=midpoint --region='sphere(1.35,0,0,0.3)' refine --region='sphere(1.35,0,0,0.2)' refine --region='sphere(1.35,0,0,0.4)' --verbose info" OUT "closed +yes\n.*genus +1\n" ERR "halves-joined +[1-9]")
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
 scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic.front\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
