@@ -14,15 +14,21 @@ namespace scan
 namespace
 {
 
-constexpr std::size_t kFewest = 6; // edges that make a line
+constexpr std::size_t kFewest = 6; // sharp edges that make a line
+constexpr double kWeaker = 0.6;    // of the angle, where a line goes on
 
-/// Both ends of every edge that bends by more than the angle.
-std::vector<Segment> bentEdges(
+struct BentEdge
+{
+  Segment ends;
+  bool isSharp = false; ///< by more than the whole angle
+};
+
+/// Every edge that bends by more than the weaker angle.
+std::vector<BentEdge> bentEdges(
   const TriMesh& mesh, std::span<const Vec3> normals, double angle, Execution& execution)
 {
   const EdgePairs pairs = pairEdges(mesh, execution);
-  const double least = std::cos(angle);
-  std::vector<Segment> edges;
+  std::vector<BentEdge> edges;
   for (Index half = 0; half < pairs.mate.size(); ++half)
   {
     const Index mate = pairs.mate[half];
@@ -34,27 +40,30 @@ std::vector<Segment> bentEdges(
     const double sign = origin == originOf(mesh, mate) ? -1.0 : 1.0;
     const Vec3& here = normals[half / 3];
     const Vec3& there = normals[mate / 3];
-    if (here != Vec3{} && there != Vec3{} && sign * dot(here, there) < least)
+    const double cosine = sign * dot(here, there);
+    if (here != Vec3{} && there != Vec3{} && cosine < std::cos(kWeaker * angle))
     {
-      edges.push_back({ origin, originOf(mesh, nextHalf(half)) });
+      edges.push_back({ { origin, originOf(mesh, nextHalf(half)) }, cosine < std::cos(angle) });
     }
   }
   return edges;
 }
 
-void dropSmallGroups(std::vector<Segment>& edges, std::size_t points)
+/// Leaves out what hangs together without enough sharp edges.
+void dropWeakLines(std::vector<BentEdge>& edges, std::size_t points)
 {
-  UnionFind groups(points);
-  for (const auto& [a, b] : edges)
+  UnionFind lines(points);
+  for (const BentEdge& edge : edges)
   {
-    groups.unite(a, b);
+    lines.unite(edge.ends[0], edge.ends[1]);
   }
-  std::vector<Index> sizes(points, 0);
-  for (const Segment& edge : edges)
+  std::vector<Index> sharp(points, 0);
+  for (const BentEdge& edge : edges)
   {
-    ++sizes[groups.root(edge[0])];
+    sharp[lines.root(edge.ends[0])] += edge.isSharp ? 1 : 0;
   }
-  std::erase_if(edges, [&](const Segment& edge) { return sizes[groups.root(edge[0])] < kFewest; });
+  std::erase_if(
+    edges, [&](const BentEdge& edge) { return sharp[lines.root(edge.ends[0])] < kFewest; });
 }
 
 } // namespace
@@ -62,13 +71,13 @@ void dropSmallGroups(std::vector<Segment>& edges, std::size_t points)
 FeatureLines findFeatureLines(
   const TriMesh& mesh, std::span<const Vec3> normals, double angle, Execution& execution)
 {
-  std::vector<Segment> edges = bentEdges(mesh, normals, angle, execution);
-  dropSmallGroups(edges, mesh.points.size());
-  std::vector<std::array<Index, 2>> directed;
-  for (const auto& [a, b] : edges)
+  std::vector<BentEdge> edges = bentEdges(mesh, normals, angle, execution);
+  dropWeakLines(edges, mesh.points.size());
+  std::vector<Segment> directed;
+  for (const BentEdge& edge : edges)
   {
-    directed.push_back({ a, b });
-    directed.push_back({ b, a });
+    directed.push_back(edge.ends);
+    directed.push_back({ edge.ends[1], edge.ends[0] });
   }
   std::ranges::sort(directed);
   FeatureLines lines;

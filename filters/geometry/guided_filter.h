@@ -16,7 +16,7 @@ namespace scan
 
 struct GuidedFilter
 {
-  int rounds = 10;
+  int rounds = 20;
   double angle = 0.7; ///< radians: normals farther apart are not mixed
   double limit = std::numeric_limits<double>::infinity(); ///< model units: no point moves farther
 };

@@ -3,6 +3,7 @@
 #include "filters/geometry/relax.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/bounding_box.h"
 #include "filters/geometry/feature_lines.h"
 #include "filters/geometry/guided_filter.h"
 #include "filters/geometry/half_edges.h"
@@ -33,13 +34,18 @@ void requireWeights(const RelaxOptions& options)
   }
 }
 
-void requireFinite(const TriMesh& mesh)
+void requireUsablePoints(const TriMesh& mesh)
 {
   const bool isFinite = std::ranges::all_of(mesh.points,
     [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
   if (!isFinite)
   {
     throw Error(ErrorCode::badInput, "some points have no finite coordinates; remove them first");
+  }
+  constexpr double kLargest = 1e70; // squares of areas are computed
+  if (!(BoundingBox(mesh.points).diagonal() < kLargest))
+  {
+    throw Error(ErrorCode::badInput, "the points are too far apart; scale the model down");
   }
 }
 
@@ -50,6 +56,44 @@ struct Freedom
   std::vector<std::uint8_t> isMovable;
   std::vector<std::uint8_t> isSharp; ///< on a boundary or a feature line
 };
+
+/// The points of the closed piece or the rim of a hole that a point is of, if they are few: as all
+/// of it is noise, it would shrink to a point.
+std::vector<Index> tinyPiece(const PointLinks& links, Index point)
+{
+  constexpr std::size_t kFewest = 12;
+  std::vector<Index> found{ point };
+  for (std::size_t next = 0; next < found.size(); ++next)
+  {
+    for (const Index other : links.neighbours.of(found[next]))
+    {
+      if (std::ranges::find(found, other) == found.end())
+      {
+        found.push_back(other);
+      }
+      if (found.size() == kFewest)
+      {
+        return {};
+      }
+    }
+  }
+  return found;
+}
+
+void fixTinyPieces(const PointLinks& links, std::vector<std::uint8_t>& isMovable)
+{
+  constexpr std::size_t kMany = 4; // no closed piece of fewer than 12 points has more around each
+  for (std::size_t i = 0; i < isMovable.size(); ++i)
+  {
+    if (isMovable[i] != 0 && links.neighbours.of(i).size() <= kMany)
+    {
+      for (const Index point : tinyPiece(links, static_cast<Index>(i)))
+      {
+        isMovable[point] = 0;
+      }
+    }
+  }
+}
 
 Freedom freedomOf(const PointLinks& links, std::span<const std::uint8_t> inRegion,
   const RelaxOptions& options, Execution& execution)
@@ -62,9 +106,10 @@ Freedom freedomOf(const PointLinks& links, std::span<const std::uint8_t> inRegio
   {
     const bool isFree = links.kinds[i] == PointKind::inner ||
       (links.kinds[i] == PointKind::boundary && options.boundary == RelaxOptions::Boundary::relax);
-    freedom.isMovable[i] = isFree ? inRegion[i] : 0;
+    freedom.isMovable[i] = isFree && inRegion[i] != 0 ? 1 : 0;
     freedom.isSharp[i] = links.kinds[i] == PointKind::inner ? 0 : 1;
   }
+  fixTinyPieces(links, freedom.isMovable);
   freedom.neighbours = makeLists(
     points, execution,
     [&](std::size_t i)
@@ -210,7 +255,7 @@ RelaxResult relax(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
 {
   requireWeights(options);
   requireCorners(mesh);
-  requireFinite(mesh);
+  requireUsablePoints(mesh);
   execution.step(options.featureAngle > 0.0 ? "features" : "relax", 0, 1);
   RelaxResult result = isScattered(mesh) ? movedInOrder(mesh, inRegion, options, execution)
                                          : movedPoints(mesh, inRegion, options, execution);

@@ -53,7 +53,8 @@ struct RelaxResult
 ///
 /// Points outside the region stay bit for bit and count as neighbours: the surface goes on there
 /// without a step. Stay, too: points without triangles, on crowded edges, of collapsed triangles,
-/// and where fans of triangles touch.
+/// and where fans of triangles touch; and closed pieces of fewer than twelve points, of which
+/// nothing would be left.
 ///
 /// With a feature angle sharp edges are found on a surface cleaned by guidedFilter(), which moves
 /// points onto the edges. Then points along an edge relax along it, corners stay.
