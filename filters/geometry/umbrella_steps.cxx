@@ -240,7 +240,7 @@ std::vector<Vec3> Displacements::moved(Execution& execution) const
           continue;
         }
         const Float4& d = this->Now[i];
-        const Vec3 to = places[i] + Vec3{ d.x, d.y, d.z } * (1.0 / this->Scale);
+        const Vec3 to = places[i] + widened(d, 1.0 / this->Scale);
         places[i] = limitedMove(this->Surface.homes[i], to, this->Limit);
       }
     });
@@ -262,7 +262,7 @@ std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSt
     if (pair == straightened)
     {
       displacements.straighten(execution);
-      straightened = std::max(kFirstBends, 2 * pair);
+      straightened = std::max(kFirstBends, 4 * pair);
     }
     displacements.step(steps.lambda, false, execution);
     displacements.step(steps.mu, isLimited, execution);

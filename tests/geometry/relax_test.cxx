@@ -208,7 +208,7 @@ TEST(Relax, TakesTheNoiseOutOfTheScannedSphere)
     GTEST_SKIP() << "no synthetic/sphere20k_noise.xyz";
   }
   const auto distance = [](const Vec3& p) { return length(p) - 1.0; };
-  EXPECT_GT(noiseRatio("sphere", scan, distance), 3.7);
+  EXPECT_GT(noiseRatio("sphere", scan, distance), 3.6);
   EXPECT_GT(noiseRatio("sphere", scan, distance, { .iterations = 100 }), 4.1);
 }
 
