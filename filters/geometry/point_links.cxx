@@ -28,11 +28,9 @@ public:
   void begin()
   {
     this->Ends.clear();
-    this->IsBroken = false;
   }
   void add(const Triangle& triangle, Index point)
   {
-    this->IsBroken = this->IsBroken || isCollapsed(triangle);
     const std::size_t k = triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;
     for (const std::size_t other : { k + 1, k + 2 })
     {
@@ -55,13 +53,12 @@ private:
   std::vector<LinkEnd> Ends;
   std::vector<Index> Place;  // per end, in Ends
   std::vector<Index> Single; // places of points that one edge ends at
-  bool IsBroken = false;
   bool IsOriented = false;
 };
 
 PointKind Link::finish()
 {
-  if (this->IsBroken || this->Ends.size() < 2)
+  if (this->Ends.size() < 2)
   {
     return PointKind::irregular;
   }

@@ -156,7 +156,7 @@ double volumeOf(std::span<const Vec3> points, const std::vector<Triangle>& trian
 /// Neighbours have numbers so far apart that caches are of no use.
 bool isScattered(const TriMesh& mesh)
 {
-  constexpr Index kFar = 16384;
+  constexpr Index kFar = 4096;
   const auto far = std::ranges::count_if(mesh.triangles,
     [](const Triangle& triangle)
     {
