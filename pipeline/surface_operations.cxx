@@ -113,7 +113,7 @@ Operation relaxOperation()
 
 std::vector<Operation> surfaceOperations()
 {
-  return { relaxOperation() };
+  return { thickenOperation(), offsetOperation(), sharpenOperation(), relaxOperation() };
 }
 
 } // namespace scan

@@ -34,4 +34,8 @@ vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 /// moved.
 Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = {});
 
+Operation thickenOperation();
+Operation offsetOperation();
+Operation sharpenOperation();
+
 } // namespace scan

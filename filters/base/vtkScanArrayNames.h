@@ -28,6 +28,9 @@ inline constexpr const char* kScanFileEnds = "ScanFileEnds";
 inline constexpr const char* kRegionNames = "RegionNames";
 inline constexpr const char* kRegionRules = "RegionRules";
 
+/// Cell data, unsigned bytes: 1 where the surface folds onto itself, 0 elsewhere.
+inline constexpr const char* kFolded = "Folded";
+
 /// Cell and field data of wraps: see vtkScanWrapData.
 inline constexpr const char* kBlock = "Block";
 inline constexpr const char* kBlockSize = "BlockSize";

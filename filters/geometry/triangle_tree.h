@@ -5,8 +5,6 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -52,9 +50,34 @@ public:
   void touching(const Box& box, std::vector<Index>& found) const;
 
 private:
+  friend class TrianglesNear;
   struct Nodes;
   const TriMesh& Mesh;
   std::unique_ptr<Nodes> Tree;
+};
+
+/// The part of a tree that is near a box: for many questions about points in there, which get the
+/// same answers in less time. For use on one thread.
+class TrianglesNear
+{
+public:
+  explicit TrianglesNear(const TriangleTree& tree);
+  ~TrianglesNear();
+  TrianglesNear(const TrianglesNear&) = delete;
+  TrianglesNear& operator=(const TrianglesNear&) = delete;
+
+  /// Takes what is within `reach` of a box, or the whole tree where that is much.
+  void moveTo(const Box& box, double reach);
+
+  /// TriangleTree::nearest(), faster for what is within `reach` of a point in the box.
+  SurfacePlace nearest(const Vec3& at, Index hint) const;
+
+private:
+  struct Groups;
+  const TriangleTree& Tree;
+  Box Around;
+  double Reach = -1.0;
+  std::unique_ptr<Groups> Near;
 };
 
 } // namespace scan

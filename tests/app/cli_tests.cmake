@@ -54,6 +54,14 @@ scan_cli_test(Front "scanwrap $DATA/torus.xyz wrap --mode=front info" OUT "trian
 scan_cli_test(Relax "scanwrap $DATA/torus.xyz wrap relax --max-deviation=0.01 --verbose info -o out.stl" FILES out.stl
   ERR "points-moved +5000\n.*largest-shift +0.01\n|points-moved +5000\n.*largest-shift +0.0099" OUT "closed +yes\n.*genus +1\n")
 scan_cli_test(RelaxedPartOfASurface "scanwrap $DATA/plate_hole.xyz wrap relax --keep-features=40 --region='plane(0,0,0, 1,0,0)' --verbose info" ERR "feature-edges +[1-9]" OUT "closed +yes\n")
+scan_cli_test(Thicken "scanwrap $DATA/monkey_saddle.xyz wrap thicken --thickness=0.06 --verbose info -o out.stl" FILES out.stl
+  ERR "strip-triangles +120\n.*triangles-folded +0\n" OUT "closed +yes\nmanifold +yes\noriented +yes\n.*genus +0\n")
+scan_cli_test(ThickenTooMuch "scanwrap $DATA/monkey_saddle.xyz wrap thicken --thickness=1.5 --verbose crop --region=folded info"
+  ERR "folded-at +[-0-9].*thicken: folds onto itself in [0-9]+ places?, [0-9]+ triangles: the region folded\n" OUT "\ntriangles +[1-9]")
+scan_cli_test(ThickenARegion "scanwrap $DATA/torus.xyz wrap thicken --side=out --region='sphere(1,0,0,0.5)' info" OUT "components +2\n")
+scan_cli_test(OffsetThereAndBack "scanwrap $DATA/torus.xyz wrap offset --distance=0.01 --verbose offset --distance=-0.01 info"
+  ERR "points-moved +5000\n.*largest-deviation +0\\.01" OUT "triangles +10000\n.*closed +yes\n")
+scan_cli_test(Sharpen "scanwrap $DATA/plate_hole.xyz wrap sharpen --verbose info" ERR "edges-cut +[0-9]+\n" OUT "closed +yes\nmanifold +yes\n")
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
 scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic.front\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
