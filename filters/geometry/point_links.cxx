@@ -25,10 +25,7 @@ struct LinkEnd
 class Link
 {
 public:
-  void begin()
-  {
-    this->Ends.clear();
-  }
+  void begin() { this->Ends.clear(); }
   void add(const Triangle& triangle, Index point)
   {
     const std::size_t k = triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;

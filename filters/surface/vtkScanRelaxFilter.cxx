@@ -12,7 +12,7 @@ vtkStandardNewMacro(vtkScanRelaxFilter);
 std::vector<scan::Phase> vtkScanRelaxFilter::Phases() const
 {
   const scan::Phase relax{ "relax", 0.5 };
-  return this->Options.featureAngle > 0.0 ? std::vector<scan::Phase>{ { "features", 5.0 }, relax }
+  return this->Options.featureAngle > 0.0 ? std::vector<scan::Phase>{ { "features", 7.0 }, relax }
                                           : std::vector<scan::Phase>{ relax };
 }
 
