@@ -51,6 +51,9 @@ scan_cli_test(RepairAngles "scanwrap $DATA/plate_hole.xyz wrap repair-angles --v
 scan_cli_test(RemoveWebsOfASolid "scanwrap $DATA/torus.xyz wrap remove-webs -o out.stl" FILES out.stl ERR "^scanwrap: remove-webs: nothing changed\n$")
 scan_cli_test(OpenOrCapped "scanwrap $DATA/monkey_saddle.xyz wrap --open=cap info wrap --open=keep info" OUT "closed +yes\n.*closed +no\n")
 scan_cli_test(Front "scanwrap $DATA/torus.xyz wrap --mode=front info" OUT "triangles +10000\n.*genus +1\n")
+scan_cli_test(Relax "scanwrap $DATA/torus.xyz wrap relax --max-deviation=0.01 --verbose info -o out.stl" FILES out.stl
+  ERR "points-moved +5000\n.*largest-shift +0\\.00999" OUT "closed +yes\n.*genus +1\n")
+scan_cli_test(RelaxedPartOfASurface "scanwrap $DATA/plate_hole.xyz wrap relax --keep-features=40 --region='plane(0,0,0, 1,0,0)' --verbose info" ERR "feature-edges +[1-9]" OUT "closed +yes\n")
 scan_cli_test(Thicken "scanwrap $DATA/monkey_saddle.xyz wrap thicken --thickness=0.06 --verbose info -o out.stl" FILES out.stl
   ERR "strip-triangles +120\n.*triangles-folded +0\n" OUT "closed +yes\nmanifold +yes\noriented +yes\n.*genus +0\n")
 scan_cli_test(ThickenTooMuch "scanwrap $DATA/monkey_saddle.xyz wrap thicken --thickness=1.5 --verbose crop --region=folded info"
