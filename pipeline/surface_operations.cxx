@@ -41,7 +41,8 @@ Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own)
 
 std::vector<Operation> surfaceOperations()
 {
-  return { thickenOperation(), offsetOperation(), sharpenOperation() };
+  return { thickenOperation(), offsetOperation(), sharpenOperation(), fillHolesOperation(),
+    bridgeOperation(), remeshOperation() };
 }
 
 } // namespace scan

@@ -37,5 +37,8 @@ Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = 
 Operation thickenOperation();
 Operation offsetOperation();
 Operation sharpenOperation();
+Operation fillHolesOperation();
+Operation bridgeOperation();
+Operation remeshOperation();
 
 } // namespace scan

@@ -59,6 +59,10 @@ scan_cli_test(ThickenARegion "scanwrap $DATA/torus.xyz wrap thicken --side=out -
 scan_cli_test(OffsetThereAndBack "scanwrap $DATA/torus.xyz wrap offset --distance=0.01 --verbose offset --distance=-0.01 info"
   ERR "points-moved +5000\n.*largest-deviation +0\\.01" OUT "triangles +10000\n.*closed +yes\n")
 scan_cli_test(Sharpen "scanwrap $DATA/plate_hole.xyz wrap sharpen --verbose info" ERR "edges-cut +[0-9]+\n" OUT "closed +yes\nmanifold +yes\n")
+scan_cli_test(FillHolesOfAnOpenTorus "scanwrap $DATA/torus.xyz wrap erase --region='box(0.9,-0.3,-1,2,0.3,1)' info fill-holes --shape=curved info" OUT "closed +no\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(FillHolesLeavesTheRim "scanwrap $DATA/monkey_saddle.xyz wrap fill-holes info" OUT "closed +no\n" ERR "left 1 [(]the rim of an open surface[)]")
+scan_cli_test(RemeshEvenly "scanwrap $DATA/torus.xyz wrap remesh --edge-length=0.05 --verbose info" OUT "closed +yes\n.*genus +1\n" ERR "edges-of-that-length +0[.][89]")
+scan_cli_test(BridgeNeedsTwoPlaces "scanwrap $DATA/torus.xyz wrap bridge --from=0,0,0 -o out.stl 2>&1; test ! -e out.stl" OUT "needs two places")
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
 scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic.front\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")
