@@ -153,7 +153,7 @@ Operation relaxOperation()
 
 std::vector<Operation> surfaceOperations()
 {
-  return { decimateOperation(), thickenOperation(), offsetOperation(), sharpenOperation(), refineOperation(), relaxOperation() };
+  return { decimateOperation(), thickenOperation(), offsetOperation(), sharpenOperation(), refineOperation(), relaxOperation(), fillHolesOperation(), bridgeOperation(), remeshOperation() };
 }
 
 } // namespace scan

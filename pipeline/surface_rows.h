@@ -38,5 +38,8 @@ Operation decimateOperation();
 Operation thickenOperation();
 Operation offsetOperation();
 Operation sharpenOperation();
+Operation fillHolesOperation();
+Operation bridgeOperation();
+Operation remeshOperation();
 
 } // namespace scan
