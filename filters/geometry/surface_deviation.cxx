@@ -12,9 +12,11 @@
 #include "filters/geometry/neighbours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace scan
 {
@@ -25,7 +27,8 @@ constexpr const char* kPhase = "deviation";
 
 Vec3 middleOf(const CornerPlaces& t)
 {
-  return (t[0] + t[1] + t[2]) * (1.0 / 3.0);
+  constexpr double kThird = 1.0 / 3.0; // of each, as the sum may overflow
+  return t[0] * kThird + t[1] * kThird + t[2] * kThird;
 }
 
 /// The triangles along a curve through their middles.
@@ -39,12 +42,25 @@ std::vector<Index> curveOrder(const TriMesh& mesh, Execution& execution)
   return hilbertOrder(middles, execution);
 }
 
-void requireTriangles(const TriangleTree& to)
+void requireSurfaces(const TriMesh& from, const TriangleTree& to)
 {
+  requireCorners(from);
   if (to.mesh().triangles.empty())
   {
     throw Error(
-      ErrorCode::badInput, "a surface without triangles has no distance; give one that has some");
+      ErrorCode::badInput, "a surface without triangles is at no distance; give one that has some");
+  }
+  for (const Triangle& triangle : from.triangles)
+  {
+    for (const Index corner : triangle)
+    {
+      const Vec3& p = from.points[corner];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      {
+        throw Error(ErrorCode::badInput,
+          "point " + std::to_string(corner) + " is not finite; mend the surface first");
+      }
+    }
   }
 }
 
@@ -197,8 +213,7 @@ SurfaceDeviation summary(const TriMesh& from, const Samples& samples)
 
 SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Execution& execution)
 {
-  requireCorners(from);
-  requireTriangles(to);
+  requireSurfaces(from, to);
   if (from.triangles.empty())
   {
     return {};
@@ -247,8 +262,7 @@ SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Exec
 std::vector<Index> trianglesBeyond(
   const TriMesh& from, const TriangleTree& to, double limit, Execution& execution)
 {
-  requireCorners(from);
-  requireTriangles(to);
+  requireSurfaces(from, to);
   const std::vector<Index> order = curveOrder(from, execution);
   std::vector<std::uint8_t> isBeyond(order.size(), 0);
   const std::vector<Index> mates = matesFor(from, to.mesh(), execution);
