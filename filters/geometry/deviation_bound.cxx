@@ -110,7 +110,7 @@ void DeviationBounder::take(Piece piece, double middleDistance)
     this->Known.atLeast = middleDistance;
     this->Known.where = middle;
   }
-  piece.bound = middleDistance + piece.shape.radius(middle);
+  piece.bound = std::min(piece.bound, middleDistance + piece.shape.radius(middle));
   if (piece.bound > this->goal())
   {
     piece.bound = std::min(piece.bound, this->boundBy(piece.shape, piece.triangle));

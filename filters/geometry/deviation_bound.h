@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -65,7 +66,7 @@ private:
     ConvexPiece shape;
     Index triangle = kNone; // of the surface, the nearest to the middle or one that may be
     bool isNearest = false;
-    double bound = 0.0;
+    double bound = std::numeric_limits<double>::infinity();
     int cuts = 0;           // since it was halved
     Index cutAlong = kNone; // the last triangle along whose borders it was cut
   };
