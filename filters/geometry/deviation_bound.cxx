@@ -15,8 +15,8 @@ namespace
 {
 
 constexpr std::size_t kMostPieces = 1 << 18;
-constexpr int kMostCuts = 4; // without a halving between them: they may take off next to nothing
-constexpr double kSlackUsed = 0.4; // of the distance by which borders may be moved out, for corners
+constexpr int kMostCuts = 16; // without a halving between them: they may take off next to nothing
+constexpr double kRoomUsed = 0.1; // of the goal: by what borders are moved out
 
 } // namespace
 
@@ -29,9 +29,9 @@ CornerPlaces cornerPlaces(const TriMesh& mesh, Index triangle)
 DeviationBounds DeviationBounder::bound(const CornerPlaces& triangle, Index nearest,
   double middleDistance, const DeviationBounds& known, double limit)
 {
-  this->start(triangle, limit);
+  this->start(triangle, limit, kDeviationSpare);
   this->Known = known;
-  this->take(ConvexPiece(triangle), nearest, middleDistance, {});
+  this->take({ ConvexPiece(triangle), nearest, true }, middleDistance);
   this->refineAll(false);
   return this->Known;
 }
@@ -39,15 +39,17 @@ DeviationBounds DeviationBounder::bound(const CornerPlaces& triangle, Index near
 bool DeviationBounder::isWithin(
   const CornerPlaces& triangle, Index nearest, double middleDistance, double limit)
 {
-  this->start(triangle, limit);
+  this->start(triangle, limit, 0.0);
   this->Known = {};
-  this->take(ConvexPiece(triangle), nearest, middleDistance, {});
+  this->take({ ConvexPiece(triangle), nearest, true }, middleDistance);
   this->refineAll(true);
   return this->Known.atMost <= limit;
 }
 
-void DeviationBounder::start(const CornerPlaces& triangle, double limit)
+/// @param spare how far the bound may be above what was found: times this
+void DeviationBounder::start(const CornerPlaces& triangle, double limit, double spare)
 {
+  this->Spare = spare;
   const BoundingBox box(triangle);
   this->Around = { box.low, box.high };
   this->IsNear = false;
@@ -79,7 +81,7 @@ void DeviationBounder::refineAll(bool stopsBeyond)
 /// What a bound need not be less than.
 double DeviationBounder::goal() const
 {
-  return std::max(this->Limit, this->Known.atLeast * kDeviationSpare);
+  return std::max(this->Limit, this->Known.atLeast * this->Spare);
 }
 
 /// The distance of the corners from a triangle, or infinity where it is more than the goal.
@@ -99,59 +101,97 @@ double DeviationBounder::boundBy(const ConvexPiece& shape, Index triangle) const
   return std::sqrt(most2);
 }
 
-/// @param origin tells how the piece was cut
-void DeviationBounder::take(
-  const ConvexPiece& shape, Index nearest, double middleDistance, const Piece& origin)
+/// Keeps a piece, whose triangle is the nearest to its middle, if its bound is above the goal.
+void DeviationBounder::take(Piece piece, double middleDistance)
 {
-  const Vec3 middle = shape.middle();
+  const Vec3 middle = piece.shape.middle();
   if (middleDistance > this->Known.atLeast)
   {
     this->Known.atLeast = middleDistance;
     this->Known.where = middle;
   }
-  double bound = middleDistance + shape.radius(middle);
-  if (bound > this->goal())
+  piece.bound = std::min(piece.bound, middleDistance + piece.shape.radius(middle));
+  if (piece.bound > this->goal())
   {
-    bound = std::min(bound, this->boundBy(shape, nearest));
+    piece.bound = std::min(piece.bound, this->boundBy(piece.shape, piece.triangle));
   }
-  if (bound <= this->goal())
+  if (piece.bound <= this->goal())
   {
-    this->Known.atMost = std::max(this->Known.atMost, bound);
+    this->Known.atMost = std::max(this->Known.atMost, piece.bound);
     return;
   }
-  this->Pieces.push_back({ shape, nearest, origin.cutAlong, origin.cuts, middleDistance, bound });
+  this->Pieces.push_back(piece);
 }
 
-/// Looks at parts of a piece.
-void DeviationBounder::refine(Piece& piece)
+/// Finds the nearest triangle for a piece.
+void DeviationBounder::look(Piece piece)
 {
   if (!this->IsNear)
   {
     this->Near.moveTo(this->Around, this->goal());
     this->IsNear = true;
   }
-  if (piece.cutAlong != piece.nearest && piece.cuts < kMostCuts && this->cut(piece))
-  {
-    piece.cutAlong = piece.nearest;
-    ++piece.cuts;
-  }
-  else
-  {
-    this->Parts.clear();
-    this->Parts.push_back(piece.shape.halve());
-    this->Parts.push_back(piece.shape);
-    piece.cuts = 0;
-  }
-  for (const ConvexPiece& part : this->Parts)
-  {
-    this->Budget -= this->Budget > 0 ? 1 : 0;
-    const SurfacePlace place = this->Near.nearest(part.middle(), piece.nearest);
-    this->take(part, place.triangle, std::sqrt(place.squaredDistance), piece);
-  }
+  this->Budget -= this->Budget > 0 ? 1 : 0;
+  const SurfacePlace place = this->Near.nearest(piece.shape.middle(), piece.triangle);
+  piece.triangle = place.triangle;
+  piece.isNearest = true;
+  this->take(piece, std::sqrt(place.squaredDistance));
 }
 
-/// Parts a piece along the borders of its nearest triangle, moved out as far as the goal allows.
-/// False where it is on one side.
+/// Takes a part of a piece whose nearest triangle is probably that over the border.
+void DeviationBounder::tryNeighbour(const Part& part, Piece origin)
+{
+  origin.shape = part.shape;
+  if (part.neighbour == kNone)
+  {
+    this->look(origin);
+    return;
+  }
+  const double bound = this->boundBy(part.shape, part.neighbour);
+  if (bound <= this->goal())
+  {
+    this->Known.atMost = std::max(this->Known.atMost, bound);
+    return;
+  }
+  origin.triangle = part.neighbour;
+  origin.isNearest = false;
+  this->Pieces.push_back(origin);
+}
+
+/// Makes parts of a piece and takes them.
+void DeviationBounder::refine(Piece& piece)
+{
+  this->Budget -= this->Budget > 0 ? 1 : 0;
+  if (piece.cutAlong != piece.triangle && piece.cuts < kMostCuts && this->cut(piece))
+  {
+    piece.cutAlong = piece.triangle;
+    ++piece.cuts;
+    for (const Part& part : this->Parts)
+    {
+      this->tryNeighbour(part, piece);
+    }
+    return;
+  }
+  if (!piece.isNearest)
+  {
+    this->look(piece);
+    return;
+  }
+  piece.cuts = 0;
+  Piece half = piece;
+  half.shape = piece.shape.halve();
+  this->look(half);
+  this->look(piece);
+}
+
+Index DeviationBounder::neighbour(Index triangle, std::size_t side) const
+{
+  const Index mate = this->Mates.empty() ? kNone : this->Mates[3 * triangle + side];
+  return mate == kNone ? kNone : mate / 3;
+}
+
+/// Parts a piece along the borders of its triangle, moved out as far as the goal allows. False
+/// where it is on one side, or where the triangle is a guess and does not bound what is inside.
 bool DeviationBounder::cut(const Piece& piece)
 {
   this->Parts.clear();
@@ -160,37 +200,34 @@ bool DeviationBounder::cut(const Piece& piece)
   {
     return false;
   }
-  const CornerPlaces t = cornerPlaces(this->To.mesh(), piece.nearest);
+  const CornerPlaces t = cornerPlaces(this->To.mesh(), piece.triangle);
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-  const double slack2 = this->goal() * this->goal() - piece.middleDistance * piece.middleDistance;
-  const double slack = kSlackUsed * std::sqrt(std::max(slack2, 0.0));
+  const double room = kRoomUsed * this->goal();
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vec3 inwards = unitVector(cross(normal, t[(k + 1) % 3] - t[k]));
-    const ConvexPiece outside = inside.cut(inwards, dot(inwards, t[k]) - slack);
+    const ConvexPiece outside = inside.cut(inwards, dot(inwards, t[k]) - room);
     if (inside.corners().empty())
     {
       return false;
     }
     if (!outside.corners().empty())
     {
-      this->Parts.push_back(outside);
+      this->Parts.push_back({ outside, this->neighbour(piece.triangle, k) });
     }
   }
   if (this->Parts.empty())
   {
     return false;
   }
-  const double bound = this->boundBy(inside, piece.nearest);
+  const double bound = this->boundBy(inside, piece.triangle);
   if (bound <= this->goal())
   {
     this->Known.atMost = std::max(this->Known.atMost, bound);
+    return true;
   }
-  else
-  {
-    this->Parts.push_back(inside);
-  }
-  return true;
+  this->Parts.push_back({ inside, kNone });
+  return piece.isNearest;
 }
 
 } // namespace scan

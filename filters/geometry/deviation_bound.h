@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace scan
@@ -32,14 +34,16 @@ inline constexpr double kDeviationSpare = 1.01;
 /// Bounds how far the points of a triangle are from a surface. The distance from a convex set is
 /// convex: the distance of a convex piece from one triangle of the surface is largest at corners of
 /// the piece. Where that is too much, the piece is cut along the borders of the surface's triangle
-/// that is nearest to its middle: outside of them others are nearer. Compare Tang, Lee, Kim,
-/// "Interactive Hausdorff distance computation for general polygonal models" (2009), who bound
-/// pieces the same way but halve them. For use on one thread.
+/// that is nearest to its middle, and the parts beyond them are tried on its neighbours. Compare
+/// Tang, Lee, Kim, "Interactive Hausdorff distance computation for general polygonal models"
+/// (2009), who bound pieces the same way but halve them. For use on one thread.
 class DeviationBounder
 {
 public:
-  explicit DeviationBounder(const TriangleTree& to)
+  /// @param mates of the half-edges of the surface, see EdgePairs; empty: does without, slower
+  DeviationBounder(const TriangleTree& to, std::span<const Index> mates)
     : To(to)
+    , Mates(mates)
     , Near(to)
   {
   }
@@ -60,30 +64,42 @@ private:
   struct Piece
   {
     ConvexPiece shape;
-    Index nearest = kNone;       // triangle to its middle
-    Index cutAlong = kNone;      // the last triangle along whose borders it was cut
-    int cuts = 0;                // since it was halved
-    double middleDistance = 0.0; // of its middle
-    double bound = 0.0;
+    Index triangle = kNone; // of the surface, the nearest to the middle or one that may be
+    bool isNearest = false;
+    double bound = std::numeric_limits<double>::infinity();
+    int cuts = 0;           // since it was halved
+    Index cutAlong = kNone; // the last triangle along whose borders it was cut
   };
 
-  void start(const CornerPlaces& triangle, double limit);
+  /// A piece beyond a border of a triangle.
+  struct Part
+  {
+    ConvexPiece shape;
+    Index neighbour = kNone; // over the border
+  };
+
+  void start(const CornerPlaces& triangle, double limit, double spare);
   void refineAll(bool stopsBeyond);
   double goal() const;
   double boundBy(const ConvexPiece& shape, Index triangle) const;
-  void take(const ConvexPiece& shape, Index nearest, double middleDistance, const Piece& origin);
+  void take(Piece piece, double middleDistance);
+  void look(Piece piece);
+  void tryNeighbour(const Part& part, Piece origin);
   void refine(Piece& piece);
   bool cut(const Piece& piece);
+  Index neighbour(Index triangle, std::size_t side) const;
 
   const TriangleTree& To;
+  std::span<const Index> Mates;
   TrianglesNear Near;
   Box Around;
   bool IsNear = false; // whether Near is around the triangle
   double Limit = 0.0;
+  double Spare = 0.0;
   std::size_t Budget = 0; // pieces that may still be looked at
   DeviationBounds Known;
   std::vector<Piece> Pieces;
-  std::vector<ConvexPiece> Parts;
+  std::vector<Part> Parts;
 };
 
 } // namespace scan

@@ -18,8 +18,6 @@ namespace
 {
 
 constexpr std::size_t kLeafSize = 12;
-constexpr std::size_t kGrain = 1U << 10U;
-constexpr std::size_t kStep = 1U << 15U;
 
 void refuseWhatIsNotFinite(std::span<const Vec3> points)
 {
@@ -184,12 +182,13 @@ void Neighbours::within(const Vec3& at, double radius, std::vector<Neighbour>& f
 }
 
 void parallelSteps(Execution& execution, const LoopOfPhase& loop, std::size_t n,
-  const std::function<void(std::size_t begin, std::size_t end)>& body)
+  const std::function<void(std::size_t begin, std::size_t end)>& body, std::size_t grain)
 {
-  for (std::size_t done = 0; done < n; done += kStep)
+  const std::size_t step = 32 * grain;
+  for (std::size_t done = 0; done < n; done += step)
   {
     execution.step(loop.phase, loop.loop * n + done, loop.loops * n);
-    execution.parallelFor(std::min(kStep, n - done), kGrain,
+    execution.parallelFor(std::min(step, n - done), grain,
       [&](std::size_t begin, std::size_t end) { body(done + begin, done + end); });
   }
   execution.step(loop.phase, loop.loop + 1, loop.loops);

@@ -72,7 +72,9 @@ struct LoopOfPhase
 };
 
 /// Calls body(begin, end) over [0, n) on all threads and reports progress of the phase on the way.
+/// @param grain how many are worth a task
 void parallelSteps(Execution& execution, const LoopOfPhase& loop, std::size_t n,
-  const std::function<void(std::size_t begin, std::size_t end)>& body);
+  const std::function<void(std::size_t begin, std::size_t end)>& body,
+  std::size_t grain = 1U << 10U);
 
 } // namespace scan

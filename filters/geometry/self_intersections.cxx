@@ -6,6 +6,7 @@
 #include "filters/geometry/collect.h"
 #include "filters/geometry/flat_triangles.h"
 #include "filters/geometry/half_edges.h"
+#include "filters/geometry/neighbours.h"
 #include "filters/geometry/parallel_sort.h"
 #include "filters/geometry/triangle_pair.h"
 
@@ -49,14 +50,16 @@ Pairs pairsOf(std::size_t groups, Execution& execution, Find&& find)
 {
   constexpr std::size_t kGroups = 256; // a step
   std::vector<Pairs> found((groups + kGroups - 1) / kGroups);
-  execution.parallelFor(found.size(), 1,
+  parallelSteps(
+    execution, { "self-intersections" }, found.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t group = kGroups * begin; group < std::min(groups, kGroups * end); ++group)
       {
         find(group, found[group / kGroups]);
       }
-    });
+    },
+    1);
   Pairs pairs;
   for (const Pairs& some : found)
   {

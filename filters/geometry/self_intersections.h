@@ -22,7 +22,8 @@ using TrianglePair = std::array<Index, 2>;
 /// corners. What touches counts, too, where it shares no corner there: corners are shared by
 /// number, not by place. Collapsed and flat triangles are left out; mend lists them.
 ///
-/// Throws Error badInput for a missing point or coordinates that are not finite; Cancelled.
+/// Phase "self-intersections". Throws Error badInput for a missing point or coordinates that are
+/// not finite; Cancelled.
 std::vector<TrianglePair> selfIntersections(const TriMesh& mesh, Execution& execution);
 
 /// Those of them that have one or two of the given triangles: what to check after a change. Few are

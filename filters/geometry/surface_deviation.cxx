@@ -12,9 +12,11 @@
 #include "filters/geometry/neighbours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace scan
 {
@@ -25,7 +27,8 @@ constexpr const char* kPhase = "deviation";
 
 Vec3 middleOf(const CornerPlaces& t)
 {
-  return (t[0] + t[1] + t[2]) * (1.0 / 3.0);
+  constexpr double kThird = 1.0 / 3.0; // of each, as the sum may overflow
+  return t[0] * kThird + t[1] * kThird + t[2] * kThird;
 }
 
 /// The triangles along a curve through their middles.
@@ -39,24 +42,46 @@ std::vector<Index> curveOrder(const TriMesh& mesh, Execution& execution)
   return hilbertOrder(middles, execution);
 }
 
-void requireTriangles(const TriangleTree& to)
+void requireSurfaces(const TriMesh& from, const TriangleTree& to)
 {
+  requireCorners(from);
   if (to.mesh().triangles.empty())
   {
     throw Error(
-      ErrorCode::badInput, "a surface without triangles has no distance; give one that has some");
+      ErrorCode::badInput, "a surface without triangles is at no distance; give one that has some");
   }
+  for (const Triangle& triangle : from.triangles)
+  {
+    for (const Index corner : triangle)
+    {
+      const Vec3& p = from.points[corner];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      {
+        throw Error(ErrorCode::badInput,
+          "point " + std::to_string(corner) + " is not finite; mend the surface first");
+      }
+    }
+  }
+}
+
+/// Who meets whom at the edges of a surface, where it is worth the time.
+std::vector<Index> matesFor(const TriMesh& from, const TriMesh& to, Execution& execution)
+{
+  return 16 * from.triangles.size() > to.triangles.size() ? pairEdges(to, execution).mate
+                                                          : std::vector<Index>{};
 }
 
 /// Groups of triangles that follow each other along the curve: questions near each other.
 constexpr std::size_t kGroup = 16;
+constexpr std::size_t kGroupsInTask = 64;
 
 /// Calls look(t, near) for all triangles, in groups; `near` is around the group.
 template <class Look>
 void lookInGroups(const TriMesh& from, std::span<const Index> order, const TriangleTree& to,
   const LoopOfPhase& loop, Execution& execution, Look&& look)
 {
-  parallelSteps(execution, loop, (order.size() + kGroup - 1) / kGroup,
+  parallelSteps(
+    execution, loop, (order.size() + kGroup - 1) / kGroup,
     [&](std::size_t begin, std::size_t end)
     {
       TrianglesNear near(to);
@@ -85,7 +110,8 @@ void lookInGroups(const TriMesh& from, std::span<const Index> order, const Trian
           look(t, near, hint);
         }
       }
-    });
+    },
+    kGroupsInTask);
 }
 
 /// Distances at the points and in the middles of triangles.
@@ -187,8 +213,7 @@ SurfaceDeviation summary(const TriMesh& from, const Samples& samples)
 
 SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Execution& execution)
 {
-  requireCorners(from);
-  requireTriangles(to);
+  requireSurfaces(from, to);
   if (from.triangles.empty())
   {
     return {};
@@ -199,12 +224,14 @@ SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Exec
   const double diagonal =
     std::max(BoundingBox(from.points).diagonal(), BoundingBox(to.mesh().points).diagonal());
   const double limit = std::max(result.largest * kDeviationSpare, 1e-6 * diagonal);
+  const std::vector<Index> mates = matesFor(from, to.mesh(), execution);
   constexpr std::size_t kBlock = 256;
   std::vector<DeviationBounds> blocks((order.size() + kBlock - 1) / kBlock);
-  parallelSteps(execution, { kPhase, 1, 2 }, blocks.size(),
+  parallelSteps(
+    execution, { kPhase, 1, 2 }, blocks.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      DeviationBounder bounder(to);
+      DeviationBounder bounder(to, mates);
       for (std::size_t i = kBlock * begin; i < std::min(order.size(), kBlock * end); ++i)
       {
         const Index t = order[i];
@@ -218,7 +245,8 @@ SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Exec
           block.where = bounds.where;
         }
       }
-    });
+    },
+    1);
   for (const DeviationBounds& block : blocks)
   {
     result.atMost = std::max(result.atMost, block.atMost);
@@ -234,15 +262,16 @@ SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Exec
 std::vector<Index> trianglesBeyond(
   const TriMesh& from, const TriangleTree& to, double limit, Execution& execution)
 {
-  requireCorners(from);
-  requireTriangles(to);
+  requireSurfaces(from, to);
   const std::vector<Index> order = curveOrder(from, execution);
   std::vector<std::uint8_t> isBeyond(order.size(), 0);
+  const std::vector<Index> mates = matesFor(from, to.mesh(), execution);
   constexpr std::size_t kBlock = 256;
-  parallelSteps(execution, { kPhase }, (order.size() + kBlock - 1) / kBlock,
+  parallelSteps(
+    execution, { kPhase }, (order.size() + kBlock - 1) / kBlock,
     [&](std::size_t begin, std::size_t end)
     {
-      DeviationBounder bounder(to);
+      DeviationBounder bounder(to, mates);
       Index hint = kNone;
       for (std::size_t i = kBlock * begin; i < std::min(order.size(), kBlock * end); ++i)
       {
@@ -252,7 +281,8 @@ std::vector<Index> trianglesBeyond(
         isBeyond[order[i]] =
           bounder.isWithin(t, hint, std::sqrt(place.squaredDistance), limit) ? 0 : 1;
       }
-    });
+    },
+    1);
   return collect<Index>(static_cast<Index>(order.size()), execution,
     [&](Index t, std::vector<Index>& found)
     {

@@ -25,11 +25,13 @@ struct SurfaceDeviation
 /// Measures from every point of the triangles of `from` to the surface of `to`. `atMost` exceeds
 /// `largest` by a hundredth of it, or a millionth of the box diagonal of both where that is more,
 /// unless that would take unreasonable time. Zeros when `from` has no triangles.
-/// Throws Error badInput when `to` has no triangles; Cancelled.
+/// Phase "deviation". Throws Error badInput when `to` has no triangles or `from` names a missing
+/// point; Cancelled.
 SurfaceDeviation deviationFrom(const TriMesh& from, const TriangleTree& to, Execution& execution);
 
 /// The triangles of `from` that have, or may have, a point farther than `limit` from `to`, sorted:
-/// none of them is a proof that the whole surface is within the limit.
+/// none of them is a proof, up to rounding, that the whole surface is within the limit. Others than
+/// those that have one are rare: their distance is next to the limit. Phase and errors as above.
 std::vector<Index> trianglesBeyond(
   const TriMesh& from, const TriangleTree& to, double limit, Execution& execution);
 

@@ -21,6 +21,8 @@ std::vector<Index> allOf(const TriMesh& mesh)
   return triangles;
 }
 
+constexpr double kFarthest = std::numeric_limits<double>::max(); // at infinity there is nothing
+
 /// The nearest place so far, and how near a box has to be to hold a nearer one or an equally near
 /// triangle with a smaller number: the computed distance of that may be less than that of the box
 /// by rounding.
@@ -50,7 +52,7 @@ public:
     {
       best = { triangle, q, squared };
       const double reach = std::sqrt(squared) * (1.0 + 0x1p-48) + this->Rounding;
-      this->SquaredReach = reach * reach;
+      this->SquaredReach = std::min(reach * reach, kFarthest);
     }
   }
 
@@ -77,7 +79,7 @@ private:
   Vec3 At;
   double Rounding;
   SurfacePlace Best;
-  double SquaredReach = std::numeric_limits<double>::max(); // there is nothing at infinity
+  double SquaredReach = kFarthest;
 };
 
 } // namespace

@@ -13,22 +13,50 @@
 namespace scan::bench
 {
 
-/// A point of the trefoil knot, t from 0 to 2 pi.
-inline Vec3 knotCentre(double t)
-{
-  const double r = 10.0 * (2.0 + std::cos(3.0 * t));
-  return { r * std::cos(2.0 * t), r * std::sin(2.0 * t), 10.0 * std::sin(3.0 * t) };
-}
+inline constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// A bumpy tube around a trefoil knot, points in random order with noise of a tenth of the mean
-/// spacing along the normal: a scan without any favourable order or regularity.
+/// A bumpy tube around a trefoil knot.
+class Knot
+{
+public:
+  /// The length of the tangent at t; at most kLongestTangent.
+  static double speed(double t) { return length(tangent(t)); }
+  static constexpr double kLongestTangent = 69.0;
+
+  /// @param angle around the tube
+  /// @param offset from it
+  static Vec3 at(double t, double angle, double offset = 0.0)
+  {
+    const Vec3 bend = centre(t + kStep) + centre(t - kStep) - centre(t) * 2.0;
+    const Vec3 binormal = cross(tangent(t), bend);
+    const Vec3 normal = cross(binormal, tangent(t));
+    const double radius =
+      4.0 * (1.0 + 0.1 * std::sin(9.0 * t) + 0.06 * std::sin(7.0 * angle + 23.0 * t)) + offset;
+    return centre(t) + normal * (radius * std::cos(angle) / length(normal)) +
+      binormal * (radius * std::sin(angle) / length(binormal));
+  }
+
+private:
+  static constexpr double kStep = 1e-4;
+
+  static double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+  static Vec3 centre(double t)
+  {
+    const double r = 10.0 * (2.0 + std::cos(3.0 * t));
+    return { r * std::cos(2.0 * t), r * std::sin(2.0 * t), 10.0 * std::sin(3.0 * t) };
+  }
+
+  static Vec3 tangent(double t) { return (centre(t + kStep) - centre(t - kStep)) * (0.5 / kStep); }
+};
+
+/// Points of the knot in random order with noise of a tenth of the mean spacing along the normal: a
+/// scan without any favourable order or regularity.
 inline std::vector<Vec3> knotScan(std::size_t count)
 {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr double kArea = 8700.0; // of the tube, about
   std::mt19937_64 random(1998);
   const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
-  const auto length = [](const Vec3& v) { return std::sqrt(dot(v, v)); };
   const double noise = 0.1 * std::sqrt(kArea / static_cast<double>(count));
   std::vector<Vec3> points;
   points.reserve(count);
@@ -36,50 +64,30 @@ inline std::vector<Vec3> knotScan(std::size_t count)
   {
     const double t = kTurn * uniform();
     const double angle = kTurn * uniform();
-    constexpr double kStep = 1e-4;
-    const Vec3 tangent = (knotCentre(t + kStep) - knotCentre(t - kStep)) * (0.5 / kStep);
-    const Vec3 bend = knotCentre(t + kStep) + knotCentre(t - kStep) - knotCentre(t) * 2.0;
-    const Vec3 binormal = cross(tangent, bend);
-    const Vec3 normal = cross(binormal, tangent);
-    const double radius =
-      4.0 * (1.0 + 0.1 * std::sin(9.0 * t) + 0.06 * std::sin(7.0 * angle + 23.0 * t));
-    constexpr double kLongestTangent = 69.0; // rejection keeps the density even along the knot
-    if (uniform() * kLongestTangent > length(tangent))
+    if (uniform() * Knot::kLongestTangent > Knot::speed(t)) // keeps the density even along the knot
     {
       continue;
     }
-    const double r = radius + noise * (uniform() + uniform() + uniform() - 1.5) * 2.0;
-    points.push_back(knotCentre(t) + normal * (r * std::cos(angle) / length(normal)) +
-      binormal * (r * std::sin(angle) / length(binormal)));
+    points.push_back(Knot::at(t, angle, noise * (uniform() + uniform() + uniform() - 1.5) * 2.0));
   }
   return points;
 }
 
-/// The same tube as a closed mesh of rows × columns quads, two triangles each, without noise.
-inline TriMesh knotMesh(Index rows, Index columns)
+/// The knot as a closed surface of twice as many triangles as quads along and around it; 2000 and
+/// 250 make a million.
+inline TriMesh knotSurface(Index along, Index around)
 {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const auto unit = [](const Vec3& v) { return v * (1.0 / std::sqrt(dot(v, v))); };
   TriMesh mesh;
-  for (Index i = 0; i < rows; ++i)
+  for (Index i = 0; i < along; ++i)
   {
-    constexpr double kStep = 1e-4;
-    const double t = kTurn * i / rows;
-    const Vec3 tangent = knotCentre(t + kStep) - knotCentre(t - kStep);
-    const Vec3 binormal =
-      unit(cross(tangent, knotCentre(t + kStep) + knotCentre(t - kStep) - knotCentre(t) * 2.0));
-    const Vec3 normal = unit(cross(binormal, tangent));
-    for (Index j = 0; j < columns; ++j)
+    for (Index j = 0; j < around; ++j)
     {
-      const double angle = kTurn * j / columns;
-      const double r =
-        4.0 * (1.0 + 0.1 * std::sin(9.0 * t) + 0.06 * std::sin(7.0 * angle + 23.0 * t));
-      mesh.points.push_back(
-        knotCentre(t) + normal * (r * std::cos(angle)) + binormal * (r * std::sin(angle)));
-      const auto at = [&](Index row, Index column)
-      { return (row % rows) * columns + column % columns; };
-      mesh.triangles.push_back({ at(i, j), at(i, j + 1), at(i + 1, j + 1) });
-      mesh.triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i + 1, j) });
+      mesh.points.push_back(Knot::at(kTurn * i / along, kTurn * j / around));
+      const Index next = (i + 1) % along * around;
+      const Index side = (j + 1) % around;
+      const Index a = i * around + j;
+      mesh.triangles.push_back({ a, next + j, next + side });
+      mesh.triangles.push_back({ a, next + side, i * around + side });
     }
   }
   return mesh;

@@ -69,7 +69,7 @@ void fill(vtkPolyData& data, const TriMesh& mesh)
 int main(int argc, char** argv)
 {
   const int runs = argc > 1 ? std::atoi(argv[1]) : 5;
-  const TriMesh mesh = bench::knotMesh(2000, 250);
+  const TriMesh mesh = bench::knotSurface(2000, 250);
   const std::vector<std::uint8_t> everywhere(mesh.points.size(), 1);
   vtkNew<vtkPolyData> data;
   fill(*data, mesh);
