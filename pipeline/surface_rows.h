@@ -35,6 +35,8 @@ vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = {});
 
 Operation decimateOperation();
+Operation refineOperation();
+Operation relaxOperation();
 Operation thickenOperation();
 Operation offsetOperation();
 Operation sharpenOperation();

@@ -103,15 +103,37 @@ std::vector<std::uint8_t> fixedPoints(
   return isFixed;
 }
 
+/// Per point that is left the nearest of the points contracted into it, which it stands for.
+std::vector<Index> nearestOfContracted(
+  QuadricDecimation& run, const OrderedMesh& ordered, std::span<const std::uint8_t> isFixed)
+{
+  std::vector<Index> names(ordered.mesh.points.size(), kNone);
+  std::vector<double> least(names.size(), std::numeric_limits<double>::infinity());
+  for (Index point = 0; point < names.size(); ++point)
+  {
+    const Index left = run.survivorOf(point);
+    const Vec3 way = run.mesh().points[left] - ordered.mesh.points[point];
+    const double distance = isFixed[point] != 0 ? -1.0 : dot(way, way); // the fixed one it is
+    if (distance < least[left])
+    {
+      least[left] = distance;
+      names[left] = point;
+    }
+  }
+  return names;
+}
+
 /// What is left of the mesh, by the names of the input, points and triangles in their order.
-SurfaceEdit editOf(const QuadricDecimation& run, const OrderedMesh& ordered, const TriMesh& input)
+/// @param names of the points, as nearestOfContracted()
+SurfaceEdit editOf(const QuadricDecimation& run, const std::vector<Index>& names,
+  const OrderedMesh& ordered, const TriMesh& input)
 {
   const ContractionMesh& left = run.mesh();
   // per input point the surviving point that is it now
   std::vector<Index> survivor(input.points.size(), kNone);
   for (const Index point : left.corner)
   {
-    survivor[ordered.pointNames[run.pointNames()[point]]] = point;
+    survivor[ordered.pointNames[names[point]]] = point;
   }
   SurfaceEdit edit;
   std::vector<Index> number(input.points.size(), kNone); // per surviving point
@@ -120,7 +142,7 @@ SurfaceEdit editOf(const QuadricDecimation& run, const OrderedMesh& ordered, con
     if (const Index point = survivor[name]; point != kNone)
     {
       number[point] = static_cast<Index>(edit.pointOrigin.size());
-      const bool stays = left.points[point] == ordered.mesh.points[run.pointNames()[point]];
+      const bool stays = left.points[point] == ordered.mesh.points[names[point]];
       edit.pointOrigin.push_back(name);
       edit.mesh.points.push_back(stays ? input.points[name] : left.points[point] + ordered.origin);
     }
@@ -220,7 +242,8 @@ public:
       run.thresholds = this->Thresholds;
       run.run(this->Options.triangles, this->Options.maxDeviation * kMeanOfLargest, this->Exec);
       this->Thresholds = std::move(run.thresholds);
-      result.edit = editOf(run, this->Ordered, this->Input);
+      this->Names = nearestOfContracted(run, this->Ordered, this->IsFixed);
+      result.edit = editOf(run, this->Names, this->Ordered, this->Input);
       this->IsWrong.assign(this->Input.points.size(), 0);
       this->CornersWrong = 0;
       result.intersections = this->markIntersections(result.edit, run);
@@ -389,7 +412,7 @@ private:
   /// The name of the point that an ordered one was contracted into.
   Index nameOfSurvivor(QuadricDecimation& run, Index point) const
   {
-    return this->Ordered.pointNames[run.pointNames()[run.survivorOf(point)]];
+    return this->Ordered.pointNames[this->Names[run.survivorOf(point)]];
   }
 
   /// What became part of a wrong point may do so only at a lower cost: an eighth of the distance
@@ -412,6 +435,7 @@ private:
   Execution& Exec;
   OrderedMesh Ordered;
   std::vector<std::uint8_t> IsFixed;
+  std::vector<Index> Names;      // of the points that the last run left
   std::vector<float> CostLimits; // per ordered point
   std::vector<float> Thresholds; // of the first round
   std::optional<TriangleTree> InputTree;

@@ -11,7 +11,7 @@
 #include <OpenMesh/Core/Utils/vector_cast.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModAspectRatioT.hh>
-#include <OpenMesh/Tools/Decimater/ModEdgeLengthT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalDeviationT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
@@ -78,6 +78,36 @@ private:
   const Execution& Exec;
 };
 
+/// Forbids contractions that make an edge too long.
+template <class MeshT>
+class ModLongestEdgeT : public OpenMesh::Decimater::ModBaseT<MeshT>
+{
+public:
+  DECIMATING_MODULE(ModLongestEdgeT, MeshT, LongestEdge);
+
+  explicit ModLongestEdgeT(MeshT& mesh)
+    : Base(mesh, true)
+  {
+  }
+
+  void setLimit(double limit) { this->Limit = limit; }
+
+  float collapse_priority(const CollapseInfo& contraction) override
+  {
+    for (auto ring = contraction.mesh.cvv_iter(contraction.v0); ring.is_valid(); ++ring)
+    {
+      if ((contraction.mesh.point(*ring) - contraction.p1).norm() > this->Limit)
+      {
+        return Base::ILLEGAL_COLLAPSE;
+      }
+    }
+    return Base::LEGAL_COLLAPSE;
+  }
+
+private:
+  double Limit = 0.0;
+};
+
 template <class Module>
 Module& add(Decimater& decimater)
 {
@@ -105,7 +135,7 @@ void contract(HalfEdgeMesh& mesh, const DecimateOptions& options,
   }
   if (std::isfinite(conditions.longestEdge))
   {
-    add<ModEdgeLengthT<HalfEdgeMesh>>(decimater).set_edge_length(conditions.longestEdge);
+    add<ModLongestEdgeT<HalfEdgeMesh>>(decimater).setLimit(conditions.longestEdge);
   }
   if (conditions.maxAspectRatio > 0.0)
   {

@@ -60,7 +60,6 @@ struct Quadric
     const double a11 = this->xx + e;
     const double a22 = this->yy + e;
     const double a33 = this->zz + e;
-    const Vec3 r = (this->times(near) + this->b) * -1.0;
     const double c11 = a22 * a33 - this->yz * this->yz;
     const double c12 = this->xz * this->yz - this->xy * a33;
     const double c13 = this->xy * this->yz - this->xz * a22;
@@ -72,9 +71,15 @@ struct Quadric
     const double c22 = a11 * a33 - this->xz * this->xz;
     const double c23 = this->xy * this->xz - a11 * this->yz;
     const double c33 = a11 * a22 - this->xy * this->xy;
-    const Vec3 d{ c11 * r.x + c12 * r.y + c13 * r.z, c12 * r.x + c22 * r.y + c23 * r.z,
-      c13 * r.x + c23 * r.y + c33 * r.z };
-    return near + d * (1.0 / determinant);
+    const auto solve = [&](const Vec3& r)
+    {
+      return Vec3{ c11 * r.x + c12 * r.y + c13 * r.z, c12 * r.x + c22 * r.y + c23 * r.z,
+        c13 * r.x + c23 * r.y + c33 * r.z } *
+        (1.0 / determinant);
+    };
+    const Vec3 r = (this->times(near) + this->b) * -1.0;
+    const Vec3 d = solve(r);
+    return near + d + solve(r - this->times(d)); // a second step takes back what e has changed
   }
 };
 

@@ -42,11 +42,9 @@ QuadricDecimation::QuadricDecimation(const TriMesh& mesh, std::span<const std::u
   , EdgeCosts(3 * mesh.triangles.size(), kNever)
   , Costs(mesh.points.size(), 0.0F)
   , Into(mesh.points.size())
-  , PointNames(mesh.points.size())
   , TriangleNames(mesh.triangles.size())
 {
   std::iota(this->Into.begin(), this->Into.end(), Index{ 0 });
-  std::iota(this->PointNames.begin(), this->PointNames.end(), Index{ 0 });
   std::iota(this->TriangleNames.begin(), this->TriangleNames.end(), Index{ 0 });
   for (std::size_t point = 0; point < this->IsFixed.size(); ++point)
   {
@@ -146,12 +144,12 @@ QuadricDecimation::Contraction QuadricDecimation::contraction(Index half) const
     : isAtV || this->IsFixed[v] != 0            ? b
                                                 : this->bestPlace(sum, a, b);
   const Vec3 edge = b - a;
-  const double squares =
-    std::max(sum.at(result.place), 0.0) + kLengthShare * result.weight * dot(edge, edge);
+  const double fromPlanes = std::max(sum.at(result.place), 0.0);
+  const double squares = fromPlanes + kLengthShare * result.weight * dot(edge, edge);
   const double squaredDistance = result.weight > 0.0 ? squares / result.weight : 0.0;
   const auto cost = static_cast<float>(squares * std::sqrt(squaredDistance));
   if (cost <= std::min(this->costLimits[u], this->costLimits[v]) &&
-    squaredDistance <= this->MeanDistance * this->MeanDistance)
+    fromPlanes <= this->MeanDistance * this->MeanDistance * result.weight)
   {
     result.cost = cost;
   }
@@ -258,15 +256,6 @@ void QuadricDecimation::contract(Index half, const Contraction& contraction)
 {
   const Index u = this->Mesh.from(half);
   const Index v = this->Mesh.to(half);
-  const auto away = [&](Index end)
-  {
-    const Vec3 d = this->Mesh.points[end] - contraction.place;
-    return dot(d, d);
-  };
-  if (away(u) < away(v))
-  {
-    this->PointNames[v] = this->PointNames[u];
-  }
   for (const Index side : { half, this->Mesh.mate[half] })
   {
     if (side != kNone)

@@ -47,9 +47,6 @@ public:
   /// Per triangle of mesh() its number in the input.
   const std::vector<Index>& triangleNames() const { return this->TriangleNames; }
 
-  /// Per point that is left the input point that it stands for: of those contracted the nearest.
-  const std::vector<Index>& pointNames() const { return this->PointNames; }
-
   /// The point that an input point was contracted into, at last.
   Index survivorOf(Index point);
 
@@ -86,7 +83,6 @@ private:
   std::vector<float> EdgeCosts;  // per half-edge, at the smaller one of each edge
   std::vector<float> Costs;      // per point
   std::vector<Index> Into;       // per point the one that it was contracted into, or itself
-  std::vector<Index> PointNames;
   std::vector<Index> TriangleNames;
   std::vector<float> Sample;
   double MeanDistance = 0.0;
