@@ -415,11 +415,11 @@ private:
     return this->Ordered.pointNames[this->Names[run.survivorOf(point)]];
   }
 
-  /// What became part of a wrong point may do so only at a lower cost: an eighth of the distance
-  /// for some rounds, then a hundredth, then not at all.
+  /// What became part of a wrong point may do so only at a lower cost: half the distance for some
+  /// rounds, then an eighth, then not at all.
   void holdBack(QuadricDecimation& run, std::size_t round)
   {
-    const float share = round <= 4 ? 1.0F / 512.0F : round <= 8 ? 1e-6F : 0.0F;
+    const float share = round <= 8 ? 1.0F / 8.0F : round <= 12 ? 1.0F / 512.0F : 0.0F;
     for (Index point = 0; point < this->CostLimits.size(); ++point)
     {
       if (this->IsWrong[this->nameOfSurvivor(run, point)] != 0)

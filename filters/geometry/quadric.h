@@ -55,7 +55,7 @@ struct Quadric
   Vec3 least(const Vec3& near) const
   {
     // (A + e I) d = -(A near + b): the share of e keeps directions that no plane decides
-    constexpr double kShare = 1e-6;
+    constexpr double kShare = 1e-5;
     const double e = kShare * this->weight();
     const double a11 = this->xx + e;
     const double a22 = this->yy + e;

@@ -368,10 +368,11 @@ void QuadricDecimation::run(std::size_t triangles, double meanDistance, Executio
       }
     });
   const std::size_t all = this->Mesh.triangles;
+  const std::size_t given = this->thresholds.size();
   for (std::size_t i = 0; this->Mesh.triangles > triangles; ++i)
   {
     execution.step("decimate", all - this->Mesh.triangles, all - triangles);
-    if (i == this->thresholds.size())
+    if (given == 0)
     {
       const float next = this->threshold(triangles);
       if (next == kNever)
@@ -380,7 +381,12 @@ void QuadricDecimation::run(std::size_t triangles, double meanDistance, Executio
       }
       this->thresholds.push_back(next);
     }
-    this->sweep(this->thresholds[i], triangles, execution);
+    const std::size_t before = this->Mesh.triangles;
+    this->sweep(this->thresholds[std::min(i, this->thresholds.size() - 1)], triangles, execution);
+    if (given > 0 && i >= given && this->Mesh.triangles == before)
+    {
+      break;
+    }
     if (this->Mesh.triangles * 2 < this->Mesh.corner.size() / 3)
     {
       this->compact();

@@ -34,8 +34,8 @@ public:
   /// Per point the largest cost of a contraction that it may take part in.
   std::vector<float> costLimits;
 
-  /// The thresholds of the sweeps. Those that are given are used again before others are chosen:
-  /// then all is as it was far from where limits are new.
+  /// The thresholds of the sweeps. Those that are given are used again, and none beyond: then all
+  /// is as it was far from where limits are new. But the last one is repeated while it helps.
   std::vector<float> thresholds;
 
   /// Contracts until so many triangles are left, or until no edge is left whose planes are on
