@@ -62,7 +62,6 @@ IntersectionRepair repairIntersections(
     return repair;
   }
   repair.pulled = pullApart(surface, maxDeviation, execution);
-  repair.relaxed = relaxLocally(surface, maxDeviation, execution);
   if (std::isinf(maxDeviation))
   {
     const ShellUnions unions = uniteShells(surface, execution);
@@ -70,6 +69,7 @@ IntersectionRepair repairIntersections(
     repair.removed = unions.exchange.removed;
     repair.added = unions.exchange.added;
   }
+  repair.relaxed = relaxLocally(surface, maxDeviation, execution);
   const Exchange refilled = refillGrowing(surface, maxDeviation, execution);
   repair.removed += refilled.removed;
   repair.added += refilled.added;

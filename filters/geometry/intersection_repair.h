@@ -35,10 +35,10 @@ struct IntersectionRepair
 /// Repairs intersections in which an active triangle takes part, by the gentlest means that helps:
 /// - Points in one place that are not the same, as splitting leaves them, draw back a little: into
 ///   the piece, at a boundary into the sheet. By 2 % of the edges there, then 8 and 30 %.
-/// - The triangles that intersect and those around them are relaxed, with a fixed border; where
-///   that does not help the rings grow, from one to four.
 /// - Closed pieces that reach into each other become their union, by exact corefinement (shells
 ///   that face outwards and do not intersect themselves).
+/// - The triangles that intersect and those around them are relaxed, with a fixed border; where
+///   that does not help the rings grow, from one to four.
 /// - The triangles that intersect and up to six rings around them go, and the holes are filled
 ///   with the least folds, without new points. At most half a piece.
 /// What did not help is undone. So is what would move a point farther than `maxDeviation` from
