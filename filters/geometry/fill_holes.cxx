@@ -284,12 +284,23 @@ void Filler::run()
   }
 }
 
+void requireFinite(const TriMesh& mesh)
+{
+  const auto isFinite = [](const Vec3& p)
+  { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+  if (!std::ranges::all_of(mesh.points, isFinite))
+  {
+    throw Error(ErrorCode::badInput, "the surface has points that are not finite; remove them");
+  }
+}
+
 } // namespace
 
 FillHolesResult fillHoles(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
   const FillHolesOptions& options, Execution& execution)
 {
   execution.step("fill", 0, 1);
+  requireFinite(mesh);
   FillHolesResult result;
   HoleChoice choice = chooseHoles(mesh, inRegion, options, execution);
   result.holes = std::move(choice.holes);

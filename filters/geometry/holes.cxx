@@ -93,6 +93,30 @@ std::vector<Index> Boundary::chainFrom(Index half)
   return chain;
 }
 
+/// The length of a loop whose points have moved some times to the middle of their neighbours.
+double outlineOf(const TriMesh& mesh, const std::vector<Index>& points)
+{
+  const std::size_t count = points.size();
+  std::vector<Vec3> at(count);
+  std::ranges::transform(points, at.begin(), [&](Index point) { return mesh.points[point]; });
+  std::vector<Vec3> smooth(count);
+  constexpr std::size_t kRounds = 8;
+  for (std::size_t round = 0; round < std::min(kRounds, count / 8); ++round)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      smooth[i] = at[i] * 0.5 + (at[(i + 1) % count] + at[(i + count - 1) % count]) * 0.25;
+    }
+    at.swap(smooth);
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    sum += scan::length(at[(i + 1) % count] - at[i]);
+  }
+  return sum;
+}
+
 void Boundary::addLoop(
   std::vector<Index> halves, bool isClosed, std::vector<BoundaryLoop>& loops) const
 {
@@ -114,6 +138,7 @@ void Boundary::addLoop(
   }
   loop.place =
     loop.length > 0.0 ? sum * (1.0 / loop.length) : this->Mesh.points[loop.points.front()];
+  loop.outline = isClosed ? outlineOf(this->Mesh, loop.points) : loop.length;
   loop.halves = std::move(halves);
   loops.push_back(std::move(loop));
 }
@@ -228,7 +253,7 @@ std::vector<BoundaryLoop> boundaryLoops(const TriMesh& mesh, Execution& executio
 
 bool isOuterRim(const BoundaryLoop& loop)
 {
-  return loop.isLongest && loop.length * loop.length > 2.0 * std::numbers::pi * loop.pieceArea;
+  return loop.isLongest && loop.outline * loop.outline > 2.0 * std::numbers::pi * loop.pieceArea;
 }
 
 } // namespace scan

@@ -16,6 +16,7 @@ struct BoundaryLoop
   std::vector<Index> points; ///< each once, the way that the triangles run
   std::vector<Index> halves; ///< per point: the half-edge from it to the next
   double length = 0.0;
+  double outline = 0.0;   ///< the length without the small jags of the rim
   Vec3 place;             ///< the middle of the rim, by length
   double pieceArea = 0.0; ///< of the triangles that hang together with it by edges
   bool isLongest = false; ///< of the loops of this piece
@@ -29,7 +30,7 @@ struct BoundaryLoop
 std::vector<BoundaryLoop> boundaryLoops(const TriMesh& mesh, Execution& execution);
 
 /// Whether a loop rather bounds an open surface than a hole: it is the longest of its piece, and a
-/// disk with its perimeter would have more than half the area of the piece. So a half sphere and
+/// disk with its outline would have more than half the area of the piece. So a half sphere and
 /// anything more closed has a hole, a sheet has none.
 bool isOuterRim(const BoundaryLoop& loop);
 

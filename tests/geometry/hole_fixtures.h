@@ -149,6 +149,22 @@ inline TriMesh sharedMesh(const std::string& name)
                                 : TriMesh(parsePly(bytes, name, execution));
 }
 
+/// Equal points are one, and collapsed triangles go.
+inline TriMesh welded(TriMesh mesh)
+{
+  std::map<std::array<double, 3>, Index> first;
+  for (Triangle& t : mesh.triangles)
+  {
+    for (Index& corner : t)
+    {
+      const Vec3& p = mesh.points[corner];
+      corner = first.try_emplace({ p.x, p.y, p.z }, corner).first->second;
+    }
+  }
+  std::erase_if(mesh.triangles, isCollapsed);
+  return mesh;
+}
+
 /// How many triangle pairs intersect.
 inline std::size_t intersectionsOf(const TriMesh& mesh)
 {
