@@ -40,7 +40,7 @@ struct RimPart
 
 struct FillHolesOptions
 {
-  FillShape shape = FillShape::curved;
+  FillShape shape = FillShape::tangent;
   OuterRims outerRims = OuterRims::automatic;
   double maxPerimeter = 0.0; ///< model units: longer ones are left; 0: any
   Index maxEdges = 0;        ///< those with more are left; 0: any
@@ -92,7 +92,7 @@ struct FillHolesResult
 /// points are those of the three nearest of the rim by inverse distance.
 ///
 /// Large holes get coarser patches away from the rim: beyond about 20,000 new points the edges
-/// grow inwards. A rim of 5000 edges takes about TODO s. Reports the phases "fill" and "check".
+/// grow inwards. A rim of 6000 edges takes about 2 s. Reports the phases "fill" and "check".
 /// @param inRegion per point 0 or 1: only holes all of whose rim is inside
 /// Throws Error badInput for a missing point or coordinates that are not finite, badParameter when
 /// `at` or `part` is given and there is no boundary, or both places of `part` are the same point,

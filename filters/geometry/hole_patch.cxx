@@ -172,8 +172,9 @@ std::optional<Patch> HoledSurface::smoothPatch(
   refinePatch(*patch, growthOf(*patch), this->taken, execution);
   for (int i = 0; i < kFairings; ++i)
   {
-    this->fair(shape == FillShape::curved ? 3 : 2, *patch, execution);
+    evenOut(*patch);
     flipEdges(*patch, this->taken, execution);
+    this->fair(shape == FillShape::curved ? 3 : 2, *patch, execution);
   }
   return patch;
 }

@@ -5,6 +5,7 @@
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/local_plane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -212,6 +213,31 @@ void refinePatch(Patch& patch, double growth, const EdgeSet& taken, Execution& e
       return;
     }
     connections.flipAll(execution);
+  }
+}
+
+void evenOut(Patch& patch)
+{
+  std::vector<Vec3>& points = patch.mesh.points;
+  std::vector<Vec3> sum(points.size());
+  std::vector<double> count(points.size());
+  constexpr int kRounds = 5;
+  for (int round = 0; round < kRounds; ++round)
+  {
+    std::ranges::fill(sum, Vec3{});
+    std::ranges::fill(count, 0.0);
+    for (const Triangle& t : patch.mesh.triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k) // every edge within is met twice
+      {
+        sum[t[k]] = sum[t[k]] + points[t[(k + 1) % 3]] + points[t[(k + 2) % 3]];
+        count[t[k]] += 2.0;
+      }
+    }
+    for (std::size_t i = patch.rim(); i < points.size(); ++i)
+    {
+      points[i] = sum[i] * (1.0 / count[i]);
+    }
   }
 }
 

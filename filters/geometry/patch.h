@@ -32,4 +32,8 @@ void flipEdges(Patch& patch, const EdgeSet& taken, Execution& execution);
 ///   not at all
 void refinePatch(Patch& patch, double growth, const EdgeSet& taken, Execution& execution);
 
+/// Moves the points within to the middle of their neighbours, some times: the points get more even,
+/// the shape gets flatter.
+void evenOut(Patch& patch);
+
 } // namespace scan

@@ -98,11 +98,36 @@ TEST(FillHoles, FollowsASphereTheBetterTheRounderTheShape)
   EXPECT_LT(distance[2], 0.01);
 }
 
+TEST(FillHoles, BearsNoise)
+{
+  const std::uint64_t seed = pointSeed();
+  Random random(seed);
+  TriMesh mesh = cappedSphere(5, 0.8);
+  const double edge = describeMesh(mesh).meanEdge;
+  for (Vec3& p : mesh.points)
+  {
+    p = p + noise(random, 0.1 * edge);
+  }
+  for (const FillShape shape : { FillShape::tangent, FillShape::curved })
+  {
+    const FillHolesResult result = fill(mesh, { .shape = shape });
+    double farthest = 0.0;
+    for (std::size_t i = mesh.points.size(); i < result.edit.mesh.points.size(); ++i)
+    {
+      farthest = std::max(farthest, std::abs(1.0 - length(result.edit.mesh.points[i])));
+    }
+    std::cout << "noise of a tenth of an edge, shape " << static_cast<int>(shape) << ": farthest "
+              << farthest / edge << " edges\n";
+    EXPECT_EQ(result.holes.front().shape, shape);
+    EXPECT_LT(farthest, 2.0 * edge) << "SCAN_TEST_SEED=" << seed;
+  }
+}
+
 TEST(FillHoles, NewTrianglesAreAsFineAsThoseOfTheRim)
 {
   const TriMesh mesh = cappedSphere(5, 0.8);
   const double mean = describeMesh(mesh).meanEdge;
-  const FillHolesResult result = fill(mesh);
+  const FillHolesResult result = fill(mesh, { .shape = FillShape::curved });
   const MeshReport report = describeMesh({ result.edit.mesh.points,
     { result.edit.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(mesh.triangles.size()),
       result.edit.mesh.triangles.end() } });
@@ -251,7 +276,7 @@ TEST(FillHoles, NeverCutsTheSurface)
 TEST(FillHoles, BecomesFlatterAtTheLimit)
 {
   const TriMesh mesh = cappedSphere(4, 0.7);
-  EXPECT_EQ(fill(mesh, { .maxDeviation = 0.5 }).holes.front().shape, FillShape::curved);
+  EXPECT_EQ(fill(mesh, { .maxDeviation = 0.5 }).holes.front().shape, FillShape::tangent);
   EXPECT_EQ(fill(mesh, { .maxDeviation = 0.1 }).holes.front().shape, FillShape::flat);
 }
 
