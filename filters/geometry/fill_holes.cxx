@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/fill_holes.h"
 
-#include "filters/base/error.h"
+#include "filters/geometry/finite_points.h"
 #include "filters/geometry/hole_choice.h"
 #include "filters/geometry/hole_patch.h"
 #include "filters/geometry/local_plane.h"
@@ -284,23 +284,13 @@ void Filler::run()
   }
 }
 
-void requireFinite(const TriMesh& mesh)
-{
-  const auto isFinite = [](const Vec3& p)
-  { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
-  if (!std::ranges::all_of(mesh.points, isFinite))
-  {
-    throw Error(ErrorCode::badInput, "the surface has points that are not finite; remove them");
-  }
-}
-
 } // namespace
 
 FillHolesResult fillHoles(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
   const FillHolesOptions& options, Execution& execution)
 {
   execution.step("fill", 0, 1);
-  requireFinite(mesh);
+  requireFinitePoints(mesh);
   FillHolesResult result;
   HoleChoice choice = chooseHoles(mesh, inRegion, options, execution);
   result.holes = std::move(choice.holes);
