@@ -171,25 +171,23 @@ void IsotropicRemesher::iterate()
       .vertex_is_constrained_map(s.IsCorner)
       .protect_constraints(s.Wanted.isBoundaryFixed)
       .projection_functor(onSurface));
+  s.Mesh.collect_garbage();
 }
 
 TriMesh IsotropicRemesher::mesh(std::vector<Index>& origins) const
 {
   const Surface& from = this->S->Mesh;
   TriMesh mesh;
-  std::vector<Index> numbers(from.number_of_vertices() + from.number_of_removed_vertices(), kNone);
   origins.clear();
   for (const Vertex v : from.vertices())
   {
-    numbers[v] = static_cast<Index>(mesh.points.size());
     mesh.points.push_back(this->S->at(v));
     origins.push_back(this->S->Origin[v]);
   }
   for (const auto f : from.faces())
   {
     const HalfEdge h = from.halfedge(f);
-    mesh.triangles.push_back(
-      { numbers[from.source(h)], numbers[from.target(h)], numbers[from.target(from.next(h))] });
+    mesh.triangles.push_back({ from.source(h), from.target(h), from.target(from.next(h)) });
   }
   return mesh;
 }

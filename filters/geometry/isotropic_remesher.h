@@ -12,7 +12,7 @@
 namespace scan
 {
 
-/// CGAL's remeshing of a whole oriented manifold, an iteration a call.
+/// CGAL's remeshing of a whole oriented manifold that uses all its points, an iteration a call.
 class IsotropicRemesher
 {
 public:
