@@ -22,7 +22,10 @@ namespace scan
 namespace
 {
 
-constexpr std::size_t kTries = 6; // before all of the region is held back
+constexpr std::size_t kTries = 10;  // before all of the region is held back
+constexpr std::size_t kShorter = 4; // of these at most, to make edges shorter
+constexpr double kShorterBy = 0.7;
+constexpr std::size_t kMany = 20; // one of so many triangles is bad: the edges are too long
 constexpr double kMostTriangles = 5e7;
 
 double areaOf(const TriMesh& mesh, const Triangle& t)
@@ -111,6 +114,7 @@ private:
   TriangleTree Tree;
   std::vector<Part> Parts;
   RemeshResult Result;
+  double LeastEdgeLength = 0.0;
   Index FirstNew = 0; // triangle
 };
 
@@ -220,9 +224,9 @@ void Remesher::measureRegion()
   }
   double& edgeLength = this->Options.edgeLength;
   edgeLength = edgeLength > 0.0 ? edgeLength : edges > 0.0 ? sum / edges : 0.0;
-  this->Result.edgeLength = edgeLength;
   constexpr double kEquilateral = 0.433; // the area for an edge of length 1
-  if (area > kMostTriangles * kEquilateral * edgeLength * edgeLength)
+  this->LeastEdgeLength = std::sqrt(area / (kMostTriangles * kEquilateral));
+  if (edgeLength < this->LeastEdgeLength)
   {
     throw Error(ErrorCode::badParameter,
       "edges that short would make more than 50 million triangles; choose longer ones");
@@ -442,21 +446,33 @@ RemeshResult Remesher::run()
 {
   this->measureRegion();
   this->holdBackBadPlaces();
+  const bool isLimited = this->Options.maxDeviation < std::numeric_limits<double>::infinity();
   for (std::size_t attempt = 0;; ++attempt)
   {
     this->tryOnce(attempt);
     this->Run.step("check", attempt, kTries + 1);
-    const std::vector<Index> bad = this->badInputTriangles();
+    std::vector<Index> bad = this->badInputTriangles();
+    std::ranges::sort(bad);
+    bad.erase(std::ranges::unique(bad).begin(), bad.end());
     if (bad.empty())
     {
       break;
     }
-    this->holdBack(bad, attempt + 1);
+    const auto remeshed = static_cast<std::size_t>(std::ranges::count(this->Parts, Part::remeshed));
+    const double shorter = this->Options.edgeLength * kShorterBy;
+    if (attempt < kShorter && isLimited && shorter > this->LeastEdgeLength &&
+      kMany * bad.size() > remeshed)
+    {
+      this->Options.edgeLength = shorter;
+      continue;
+    }
+    this->holdBack(bad, 1 + attempt / 2);
     if (attempt + 1 == kTries)
     {
       std::ranges::replace(this->Parts, Part::remeshed, Part::held);
     }
   }
+  this->Result.edgeLength = this->Options.edgeLength;
   this->blendNewPoints();
   this->describeNew();
   this->Run.step("check", 1, 1);

@@ -19,15 +19,15 @@ struct RemeshOptions
   int iterations = 5;      ///< 1 or more
   /// Degrees: edges where the surface bends more stay edges, and turn no corner; 180: none.
   double keepFeatures = 180.0;
-  /// Model units: no point of either surface is farther from the other; places where one would be
-  /// stay as they are.
+  /// Model units: no point of either surface is farther from the other. Edges are made shorter
+  /// where many would be, down to a quarter; other places where one would be stay as they are.
   double maxDeviation = std::numeric_limits<double>::infinity();
 };
 
 struct RemeshResult
 {
   SurfaceEdit edit;
-  double edgeLength = 0.0; ///< that was aimed at
+  double edgeLength = 0.0; ///< that was aimed at in the end
   double goodEdges = 0.0;  ///< share of the new edges with 4/5 to 4/3 of it
   double leastAngle = 0.0; ///< of the new triangles, degrees
   Index made = 0;          ///< new triangles
@@ -45,7 +45,8 @@ struct RemeshResult
 /// triangles stay as they are. A point that stays keeps its origin, a new one has the data of the
 /// nearest place of the input, a new triangle those of the nearest triangle.
 ///
-/// TODO time. Cancel is looked for between iterations. Reports the phases "remesh" and "check".
+/// About a minute for a million triangles and five iterations. Cancel is looked for between
+/// iterations. Reports the phases "remesh" and "check".
 /// @param inRegion per triangle 0 or 1
 /// Throws Error badInput for a missing point or coordinates that are not finite, badParameter for
 /// an edge length that would make more than 50 million triangles; Cancelled.
