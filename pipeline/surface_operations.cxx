@@ -214,7 +214,8 @@ Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own)
 
 std::vector<Operation> surfaceOperations()
 {
-  return { fillHolesOperation(), bridgeOperation(), remeshOperation() };
+  return { fillHolesOperation(), bridgeOperation(), remeshOperation(), mendOperation(),
+    orientOperation() };
 }
 
 } // namespace scan

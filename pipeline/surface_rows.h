@@ -34,4 +34,9 @@ vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 /// moved.
 Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = {});
 
+// Rows that have a file of their own.
+
+Operation mendOperation();
+Operation orientOperation();
+
 } // namespace scan

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/defects.h"
 
+#include "filters/base/error.h"
 #include "filters/geometry/consistent_surface.h"
 #include "filters/geometry/flat_triangles.h"
 #include "filters/geometry/half_edges.h"
@@ -18,6 +19,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace scan
@@ -399,6 +401,37 @@ DefectList DefectSearch::run()
 }
 
 } // namespace
+
+DefectKinds parseDefectKinds(std::string_view text)
+{
+  if (text == "all")
+  {
+    return DefectKinds().set();
+  }
+  DefectKinds kinds;
+  while (true)
+  {
+    const std::size_t comma = text.find(',');
+    const std::string_view name = text.substr(0, comma);
+    const auto found = std::ranges::find(kDefectNames, name);
+    if (found == kDefectNames.end())
+    {
+      std::string known = "all";
+      for (const std::string_view other : kDefectNames)
+      {
+        known.append(", ").append(other);
+      }
+      throw Error(ErrorCode::badParameter,
+        std::string("'").append(name).append("' is no kind of defect; these are: ").append(known));
+    }
+    kinds.set(static_cast<std::size_t>(found - kDefectNames.begin()));
+    if (comma == std::string_view::npos)
+    {
+      return kinds;
+    }
+    text.remove_prefix(comma + 1);
+  }
+}
 
 std::size_t DefectList::count(DefectKind kind) const
 {

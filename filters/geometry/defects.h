@@ -47,6 +47,10 @@ inline bool has(const DefectKinds& kinds, DefectKind kind)
   return kinds[static_cast<std::size_t>(kind)];
 }
 
+/// The kinds that a text names: "all", or names with commas between.
+/// @throws Error{badParameter} for a name that is none
+DefectKinds parseDefectKinds(std::string_view text);
+
 struct DefectOptions
 {
   DefectKinds kinds = DefectKinds().set(); ///< that are looked for

@@ -19,7 +19,9 @@ namespace scan
 namespace
 {
 
-constexpr std::array kPulls{ 0.02, 0.08, 0.3 }; // shares of the mean edge at a point
+/// Shares of the mean edge at a point, against the normal or towards the neighbours.
+constexpr std::array kPulls{ std::pair(0.02, true), std::pair(0.02, false), std::pair(0.08, true),
+  std::pair(0.08, false), std::pair(0.3, true), std::pair(0.3, false) };
 constexpr int kMostRings = 4;
 constexpr int kSteps = 10; // of relaxation, a ring
 
@@ -235,13 +237,14 @@ std::size_t pullApart(MendSurface& surface, double maxDeviation, Execution& exec
   const std::vector<Vec3> normals = vertexNormals(mesh);
   const std::vector<Vec3> start = mesh.points;
   Before before;
-  for (const double share : kPulls)
+  for (const auto& [share, isAlongNormal] : kPulls)
   {
     for (const Index point : touching)
     {
       const Vec3& at = start[point];
       const auto [middle, edge] = neighbourhood(mesh, trianglesAt, point);
-      const Vec3 into = isOnBoundary[point] != 0 ? unitVector(middle - at) : normals[point] * -1.0;
+      const bool isInside = isAlongNormal && isOnBoundary[point] == 0;
+      const Vec3 into = isInside ? normals[point] * -1.0 : unitVector(middle - at);
       before.emplace(point, at);
       mesh.points[point] = at + into * (share * edge);
     }
