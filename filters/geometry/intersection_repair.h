@@ -38,7 +38,8 @@ struct IntersectionRepair
 /// - Closed pieces that reach into each other become their union, by exact corefinement (shells
 ///   that face outwards and do not intersect themselves).
 /// - The triangles that intersect and those around them are relaxed, with a fixed border; where
-///   that does not help the rings grow, from one to four.
+///   that does not help the rings grow, from one to four. Not where points would move by one
+///   and a half edges in the mean.
 /// - The triangles that intersect and up to six rings around them go, and the holes are filled
 ///   with the least folds, without new points. At most half a piece.
 /// What did not help is undone. So is what would move a point farther than `maxDeviation` from

@@ -23,7 +23,8 @@ namespace
 constexpr std::array kPulls{ std::pair(0.02, true), std::pair(0.02, false), std::pair(0.08, true),
   std::pair(0.08, false), std::pair(0.3, true), std::pair(0.3, false) };
 constexpr int kMostRings = 4;
-constexpr int kSteps = 10; // of relaxation, a ring
+constexpr double kMostShift = 1.5; // mean, in edges
+constexpr int kSteps = 10;         // of relaxation, a ring
 
 /// Where points were before they moved.
 using Before = std::map<Index, Vec3>;
@@ -79,10 +80,34 @@ std::vector<Index> touchingPoints(const TriMesh& mesh, const std::vector<Index>&
   return touching;
 }
 
+/// The mean of the neighbours of a point, and of the lengths of the edges to them.
+std::pair<Vec3, double> neighbourhood(
+  const TriMesh& mesh, const Incidence& trianglesAt, Index point)
+{
+  Vec3 sum;
+  double lengths = 0.0;
+  double count = 0.0;
+  for (const Index t : trianglesAt.of(point)) // those inside a fan come twice
+  {
+    for (const Index other : mesh.triangles[t])
+    {
+      if (other != point)
+      {
+        sum = sum + mesh.points[other];
+        lengths += length(mesh.points[other] - mesh.points[point]);
+        count += 1.0;
+      }
+    }
+  }
+  return count > 0.0 ? std::pair(sum * (1.0 / count), lengths / count)
+                     : std::pair(mesh.points[point], 0.0);
+}
+
 /// Undoes moves of points that hang together with a failure: one at a bad triangle, or one that
-/// went too far.
-void undoFailures(
-  MendSurface& surface, const std::vector<Index>& bad, double maxDeviation, Before& before)
+/// went too far. So, too, where points have moved by more than an edge or so in the mean: few that
+/// are astray may come from far, but then the shape around them stays.
+void undoFailures(MendSurface& surface, const Incidence& trianglesAt, const std::vector<Index>& bad,
+  double maxDeviation, Before& before)
 {
   std::vector<Index> points;
   for (const auto& [point, at] : before)
@@ -118,8 +143,12 @@ void undoFailures(
       }
     }
   }
+  std::vector<double> excess(points.size(), 0.0);
   for (Index i = 0; i < points.size(); ++i)
   {
+    const double shift = length(surface.mesh.points[points[i]] - before.at(points[i]));
+    excess[groups.root(i)] +=
+      shift - kMostShift * neighbourhood(surface.mesh, trianglesAt, points[i]).second;
     if (surface.shiftOf(points[i]) > maxDeviation)
     {
       failed[groups.root(i)] = true;
@@ -127,35 +156,12 @@ void undoFailures(
   }
   for (Index i = 0; i < points.size(); ++i)
   {
-    if (failed[groups.root(i)])
+    if (failed[groups.root(i)] || excess[groups.root(i)] > 0.0)
     {
       surface.mesh.points[points[i]] = before.at(points[i]);
       before.erase(points[i]);
     }
   }
-}
-
-/// The mean of the neighbours of a point, and of the lengths of the edges to them.
-std::pair<Vec3, double> neighbourhood(
-  const TriMesh& mesh, const Incidence& trianglesAt, Index point)
-{
-  Vec3 sum;
-  double lengths = 0.0;
-  double count = 0.0;
-  for (const Index t : trianglesAt.of(point)) // those inside a fan come twice
-  {
-    for (const Index other : mesh.triangles[t])
-    {
-      if (other != point)
-      {
-        sum = sum + mesh.points[other];
-        lengths += length(mesh.points[other] - mesh.points[point]);
-        count += 1.0;
-      }
-    }
-  }
-  return count > 0.0 ? std::pair(sum * (1.0 / count), lengths / count)
-                     : std::pair(mesh.points[point], 0.0);
 }
 
 /// The points that relaxation may move: all their triangles are in the region, none of their edges
@@ -258,7 +264,7 @@ std::size_t pullApart(MendSurface& surface, double maxDeviation, Execution& exec
     std::erase_if(
       touching, [&](Index point) { return !std::ranges::binary_search(corners, point); });
   }
-  undoFailures(surface, bad, maxDeviation, before);
+  undoFailures(surface, trianglesAt, bad, maxDeviation, before);
   return before.size();
 }
 
@@ -284,7 +290,7 @@ std::size_t relaxLocally(MendSurface& surface, double maxDeviation, Execution& e
     relax(mesh, trianglesAt, movable, kSteps * rings);
     bad = trianglesOf(activeIntersections(surface, execution));
   }
-  undoFailures(surface, bad, maxDeviation, before);
+  undoFailures(surface, trianglesAt, bad, maxDeviation, before);
   return before.size();
 }
 

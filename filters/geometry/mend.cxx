@@ -52,6 +52,17 @@ void keepNearest(DefectList& list, const TriMesh& mesh, const Vec3& at)
   }
 }
 
+/// How many triangles are in defects; those in several count as often.
+std::size_t extentOf(const DefectList& list)
+{
+  std::size_t sum = 0;
+  for (const Defect& defect : list.defects)
+  {
+    sum += defect.triangles.size();
+  }
+  return sum;
+}
+
 class Mender
 {
 public:
@@ -352,11 +363,25 @@ MendResult Mender::run()
   {
     this->Run.step("mend", static_cast<std::size_t>(this->Tally.rounds),
       static_cast<std::size_t>(this->Options.rounds));
+    const MendSurface before = this->Surface;
+    const MendTally tally = this->Tally;
+    DefectList listed = this->Listed;
     ++this->Tally.rounds;
     if (!this->repair())
     {
       break;
     }
+    this->Listed = this->find();
+    if (extentOf(this->Listed) >= extentOf(listed)) // it only wanders
+    {
+      this->Surface = before;
+      this->Tally = tally;
+      this->Listed = std::move(listed);
+      break;
+    }
+  }
+  if (!this->Listed.defects.empty() && this->becomeConsistent())
+  {
     this->Listed = this->find();
   }
   this->measureMoves();

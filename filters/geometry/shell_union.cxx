@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/shell_union.h"
 
+#include "filters/geometry/flat_triangles.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/intersecting.h"
 #include "filters/geometry/shells.h"
@@ -141,6 +142,52 @@ std::optional<Body> unionOf(Body a, Body b)
   return tidy;
 }
 
+/// Whether a corner of one triangle is in the plane of the other: CGAL's corefinement may fail, or
+/// not end, where bodies touch in faces.
+bool isTouch(const TriMesh& mesh, Index s, Index t)
+{
+  const auto at = [&](Index point)
+  {
+    const Vec3& p = mesh.points[point];
+    return Kernel::Point_3(p.x, p.y, p.z);
+  };
+  const auto touches = [&](const Triangle& plane, const Triangle& other)
+  {
+    return std::ranges::any_of(other,
+      [&](Index point)
+      { return CGAL::coplanar(at(plane[0]), at(plane[1]), at(plane[2]), at(point)); });
+  };
+  return touches(mesh.triangles[s], mesh.triangles[t]) ||
+    touches(mesh.triangles[t], mesh.triangles[s]);
+}
+
+/// Whether rounded places make a union intersect itself. CGAL must not be given such.
+bool isClean(const Body& body, Execution& execution)
+{
+  TriMesh mesh;
+  for (const Mesh::Vertex_index v : body.mesh.vertices())
+  {
+    const auto& p = body.mesh.point(v);
+    mesh.points.push_back({ p.x(), p.y(), p.z() });
+  }
+  for (const Mesh::Face_index face : body.mesh.faces())
+  {
+    std::vector<Index> corners;
+    for (const Mesh::Vertex_index v :
+      CGAL::vertices_around_face(body.mesh.halfedge(face), body.mesh))
+    {
+      corners.push_back(v);
+    }
+    const Triangle t{ corners[0], corners[1], corners[2] };
+    if (isFlat(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]))
+    {
+      return false;
+    }
+    mesh.triangles.push_back(t);
+  }
+  return selfIntersections(mesh, execution).empty();
+}
+
 class Uniter
 {
 public:
@@ -163,6 +210,7 @@ private:
   Execution& Run;
   std::vector<Index> Mate;
   Shells Pieces;
+  std::set<std::pair<Index, Index>> Touches; // shells with faces or points on each other
   std::vector<std::uint8_t> IsGone;
   std::vector<std::pair<Triangle, Index>> New;
 };
@@ -183,6 +231,10 @@ std::vector<std::vector<Index>> Uniter::groups()
     }
     meets[from].insert(to);
     meets[to].insert(from);
+    if (isTouch(this->Surface.mesh, a, b))
+    {
+      this->Touches.insert(std::minmax({ from, to }));
+    }
   }
   const auto isFit = [&](Index shell)
   { return this->Pieces.shells[shell].volume > 0.0 && !unfit.contains(shell); };
@@ -300,11 +352,22 @@ ShellUnions Uniter::run()
     for (std::size_t i = 1; i < group.size(); ++i)
     {
       this->Run.step("", 0, 1); // for a cancel
+      if (std::ranges::any_of(joined,
+            [&](Index other) {
+              return this->Touches.contains(std::minmax({ other, group[i] }));
+            }))
+      {
+        continue;
+      }
       auto next = unionOf(body, bodyOf(this->Surface.mesh, this->trianglesIn(group[i])));
       if (next)
       {
         body = std::move(*next);
         joined.push_back(group[i]);
+        if (!isClean(body, this->Run))
+        {
+          break; // repaired first, and joined to the others in the next round
+        }
       }
     }
     if (joined.size() > 1)

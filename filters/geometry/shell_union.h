@@ -19,9 +19,10 @@ struct ShellUnions
 };
 
 /// Makes one of closed pieces that reach into each other: the border of all that is in one of them.
-/// Only pieces that face outwards and do not intersect themselves. Triangles that the other piece
-/// does not cut stay as they are. By exact corefinement (CGAL); places of the new points are
-/// rounded, so that triangles there may be flat or intersect by a rounding.
+/// Only pieces that face outwards, do not intersect themselves, and of which no corner is exactly
+/// in the plane of a triangle that it meets. Triangles that the other piece does not cut stay as
+/// they are. By exact corefinement (CGAL); places of the new points are rounded, so that triangles
+/// there may be flat or intersect by a rounding.
 ShellUnions uniteShells(MendSurface& surface, Execution& execution);
 
 } // namespace scan
