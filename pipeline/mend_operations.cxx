@@ -93,7 +93,10 @@ Operation mendOperation()
       .check = checkKinds },
     { .name = "preview",
       .defaultValue = false,
-      .help = "change nothing: list the defects, what would be done, and make them regions" },
+      .help = "only list the defects and say what would be done" },
+    { .name = "mark",
+      .defaultValue = false,
+      .help = "repair nothing: make a region of the defects of each kind, with its name" },
     { .name = "at",
       .defaultValue = PointList(),
       .help = "x,y,z: only the defect nearest to there" },
@@ -119,7 +122,7 @@ Operation mendOperation()
   {
     const auto filter = newSurfaceFilter<vtkScanMendFilter>(values);
     filter->SetKinds(parseDefectKinds(valueOf<std::string>(values, "fix")));
-    filter->SetPreview(valueOf<bool>(values, "preview"));
+    filter->SetMark(valueOf<bool>(values, "mark") || valueOf<bool>(values, "preview"));
     if (const auto at = singlePoint(values, "at"))
     {
       filter->SetPlace(at->x, at->y, at->z);

@@ -422,7 +422,10 @@ DefectKinds parseDefectKinds(std::string_view text)
         known.append(", ").append(other);
       }
       throw Error(ErrorCode::badParameter,
-        std::string("'").append(name).append("' is no kind of defect; these are: ").append(known));
+        std::string("fix: '")
+          .append(name)
+          .append("' is no kind of defect; these are: ")
+          .append(known));
     }
     kinds.set(static_cast<std::size_t>(found - kDefectNames.begin()));
     if (comma == std::string_view::npos)

@@ -60,20 +60,20 @@ scan::SurfaceEdit vtkScanMendFilter::Edit(const Surface& surface, scan::Executio
   options.maxDeviation = surface.maxDeviation;
   const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface.data, execution);
   this->Result = scan::mend(surface.mesh, inRegion, options, execution);
-  if (this->Preview)
+  if (this->Mark)
   {
     this->Result.edit = scan::unchanged(surface.mesh);
   }
   if (const std::string left = textOf(this->Result.left); !left.empty())
   {
-    this->AddNote((this->Preview ? "would leave " : "left ") + left);
+    this->AddNote((this->Mark ? "would leave " : "left ") + left);
   }
   return std::exchange(this->Result.edit, {});
 }
 
 void vtkScanMendFilter::Finish(vtkPolyData& output)
 {
-  if (!this->Preview)
+  if (!this->Mark)
   {
     return;
   }

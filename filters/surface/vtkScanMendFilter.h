@@ -22,12 +22,12 @@ public:
     this->Modified();
   }
 
-  /// Changes nothing: the output is the input, with a region for each kind of defect that there is
+  /// Repairs nothing: the output is the input, with a region for each kind of defect that there is
   /// and, for points and triangles, the arrays Defect (the number of the first kind, from 1; 0:
   /// none) and Defect-KIND (1 in such a defect). Results say what would be done. Default: false.
-  void SetPreview(bool preview)
+  void SetMark(bool mark)
   {
-    this->Preview = preview;
+    this->Mark = mark;
     this->Modified();
   }
 
@@ -82,6 +82,6 @@ private:
   scan::MendOptions Options;
   scan::Length LeastHeight = scan::Length(1e-4, scan::Length::Unit::diagonalPercent);
   scan::Length SmallHole = scan::Length(10.0, scan::Length::Unit::spacing);
-  bool Preview = false;
+  bool Mark = false;
   scan::MendResult Result;
 };

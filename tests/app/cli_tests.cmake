@@ -73,6 +73,12 @@ foreach(format ply stl obj png)
 endforeach()
 scan_cli_test(SamePictureOfPoints "for n in 1 2 2; do scanwrap $DATA/torus.xyz --threads=$n --overwrite -o 1.png && md5sum 1.png; done | sort -u | wc -l" OUT "^1\n")
 
+scan_cli_test(MendTurns "scanwrap $DATA/torus.xyz wrap orient --flip=true orient --verbose info" ERR "triangles-turned +10000\n.*triangles-turned +10000\n" OUT "volume +[0-9]")
+scan_cli_test(MendLeavesGoodSurfacesAlone "scanwrap $DATA/torus.xyz wrap -o a.ply mend -o b.ply && cmp a.ply b.ply" ERR "^scanwrap: mend: nothing changed\n$")
+scan_cli_test(MendParts "printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\nv -1 0 0\\nv 0 -1 0\\nv 0 0 -1\\nf 1 3 2\\nf 1 2 4\\nf 1 4 3\\nf 2 3 4\\nf 1 5 6\\nf 1 7 5\\nf 1 6 7\\nf 5 7 6\\n' > t.obj; scanwrap t.obj mend --verbose info" OUT "components +2\n.*manifold +yes\n" ERR "non-manifold-points +1\n")
+scan_cli_test(MendPreviewChangesNothing "printf 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3\\nf 1 3 4\\nf 1 2 3\\n' > t.obj; scanwrap t.obj mend --preview --verbose info" OUT "triangles +3\n" ERR "duplicates +1\n.*removed-duplicates +1\n")
+scan_cli_test(MendMarksRegions "printf 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3\\nf 1 3 4\\nf 1 2 3\\n' > t.obj; scanwrap t.obj mend --mark erase --region=duplicates info" OUT "triangles +2\n")
+scan_cli_test(MendKindsAreChecked "! scanwrap $DATA/torus.xyz wrap mend --fix=spike info" ERR "fix: 'spike' is no kind of defect")
 # Projects, templates, batches
 set(plate "scanwrap $DATA/plate_hole.xyz wrap --mode=classic push --at=0,0,0 --deep --quiet")
 scan_cli_test(ProjectGoesOn "${plate} -o out.wrp && scanwrap out.wrp info" FILES out.wrp OUT "triangles +9908\n")

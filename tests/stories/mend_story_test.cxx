@@ -149,7 +149,7 @@ TEST_P(MendFolder, IsGoodAfterwardsOrTellsWhatIsLeft)
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, MendFolder, testing::Values("09_bad", "05_meshes"),
-  [](const auto& info) { return std::string(info.index == 0 ? "Bad" : "Meshes"); });
+  [](const auto& which) { return std::string(which.index == 0 ? "Bad" : "Meshes"); });
 
 TEST(MendStory, DamagedCopiesAreRepaired)
 {
