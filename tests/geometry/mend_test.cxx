@@ -156,6 +156,28 @@ TEST(Mend, ClosesTornPlacesAndHoles)
   EXPECT_EQ(describeMesh(result.edit.mesh).pointsUsed, good.points.size());
 }
 
+TEST(Mend, KeepsTheRimsOfSheets)
+{
+  TriMesh mesh = corpus::torus(20);
+  mesh.triangles.erase(mesh.triangles.begin() + 300);
+  const auto first = static_cast<Index>(mesh.points.size());
+  for (const Vec3& p : { Vec3{ 5, 5, 0 }, Vec3{ 6, 5, 0 }, Vec3{ 6, 6, 0 }, Vec3{ 5, 6, 0 },
+         Vec3{ 5.5, 5.5, 0.3 } })
+  {
+    mesh.points.push_back(p);
+  }
+  for (Index i = 0; i < 4; ++i)
+  {
+    mesh.triangles.push_back({ first + i, first + (i + 1) % 4, first + 4 });
+  }
+  MendOptions options = usual(0.5);
+  options.defects.smallComponent = 0.0;
+  const MendResult result = mendAll(mesh, options);
+  expectGood(mesh, result);
+  EXPECT_EQ(result.tally.holesFilled, 1U);
+  EXPECT_EQ(describeMesh(result.edit.mesh).boundaryEdges, 4U);
+}
+
 TEST(Mend, MovesSpikesBack)
 {
   const TriMesh good = corpus::torus(30);
