@@ -161,8 +161,8 @@ TEST(Mend, KeepsTheRimsOfSheets)
   TriMesh mesh = corpus::torus(20);
   mesh.triangles.erase(mesh.triangles.begin() + 300);
   const auto first = static_cast<Index>(mesh.points.size());
-  for (const Vec3& p : { Vec3{ 5, 5, 0 }, Vec3{ 6, 5, 0 }, Vec3{ 6, 6, 0 }, Vec3{ 5, 6, 0 },
-         Vec3{ 5.5, 5.5, 0.3 } })
+  for (const Vec3& p :
+    { Vec3{ 5, 5, 0 }, Vec3{ 6, 5, 0 }, Vec3{ 6, 6, 0 }, Vec3{ 5, 6, 0 }, Vec3{ 5.5, 5.5, 0.3 } })
   {
     mesh.points.push_back(p);
   }
