@@ -34,14 +34,16 @@ vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 /// moved.
 Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = {});
 
-Operation decimateOperation();
+Operation mendOperation();
+Operation orientOperation();
+Operation fillHolesOperation();
+Operation bridgeOperation();
 Operation refineOperation();
 Operation relaxOperation();
+Operation decimateOperation();
+Operation remeshOperation();
 Operation thickenOperation();
 Operation offsetOperation();
 Operation sharpenOperation();
-Operation fillHolesOperation();
-Operation bridgeOperation();
-Operation remeshOperation();
 
 } // namespace scan

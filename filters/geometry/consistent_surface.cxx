@@ -4,9 +4,8 @@
 
 #include "filters/geometry/flat_triangles.h"
 #include "filters/geometry/half_edges.h"
-#include "filters/geometry/mesh_orient.h"
 #include "filters/geometry/mesh_split.h"
-#include "filters/geometry/shells.h"
+#include "filters/geometry/orient_outward.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -20,33 +19,6 @@ namespace scan
 {
 namespace
 {
-
-void turn(Triangle& triangle)
-{
-  std::swap(triangle[1], triangle[2]);
-}
-
-/// Triangles with the same points as others: they share edges that have too many triangles, or
-/// three edges with one other triangle.
-std::vector<Index> candidatesForRepeats(const EdgePairs& pairs)
-{
-  std::vector<Index> candidates;
-  for (const Index half : pairs.crowded)
-  {
-    candidates.push_back(half / 3);
-  }
-  for (Index half = 0; half < pairs.mate.size(); half += 3)
-  {
-    const auto other = [&](Index k) { return pairs.mate[half + k] / 3; };
-    if (pairs.mate[half] != kNone && other(0) == other(1) && other(1) == other(2))
-    {
-      candidates.push_back(half / 3);
-    }
-  }
-  std::ranges::sort(candidates);
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  return candidates;
-}
 
 /// Triangles with the same points.
 using Repeats = std::vector<std::vector<Index>>;
@@ -263,46 +235,6 @@ bool removeFlat(ConsistentSurface& surface, double leastHeight, Execution& execu
   return surface.changes.cut + surface.changes.removed > 0;
 }
 
-/// Turns the smaller part of each piece in which neighbours disagree.
-void turnDissenters(TriMesh& mesh, const EdgePairs& pairs)
-{
-  const std::vector<Triangle> before = mesh.triangles;
-  orientConsistently(mesh.triangles, mesh.points.size());
-  const Shells pieces = findShells(mesh, pairs.mate);
-  std::vector<Index> turnedIn(pieces.shells.size(), 0);
-  for (std::size_t t = 0; t < before.size(); ++t)
-  {
-    turnedIn[pieces.shellOf[t]] += mesh.triangles[t] != before[t] ? 1 : 0;
-  }
-  for (std::size_t t = 0; t < before.size(); ++t)
-  {
-    const Index piece = pieces.shellOf[t];
-    if (turnedIn[piece] > pieces.shells[piece].triangles / 2)
-    {
-      turn(mesh.triangles[t]);
-    }
-  }
-}
-
-/// Turns closed pieces that face inwards and are in no other, with what is in them: voids stay
-/// voids.
-void turnOutwards(TriMesh& mesh, std::span<const Index> mate, Execution& execution)
-{
-  Shells shells = findShells(mesh, mate);
-  if (std::ranges::none_of(shells.shells, [](const Shell& shell) { return shell.volume < 0.0; }))
-  {
-    return;
-  }
-  findContainers(mesh, shells, execution);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    if (shells.shells[outermost(shells, shells.shellOf[t])].volume < 0.0)
-    {
-      turn(mesh.triangles[t]);
-    }
-  }
-}
-
 /// Takes out pairs of triangles back to back that splitting has made of walls that part nothing.
 /// @param before further values per triangle
 void removePillows(
@@ -338,6 +270,20 @@ void removePillows(
   mate.resize(3 * surface.mesh.triangles.size());
 }
 
+/// Parts what is no manifold. Afterwards `pairs` knows the mates.
+/// @param before further values per triangle
+void split(
+  ConsistentSurface& surface, EdgePairs& pairs, std::vector<Triangle>& before, Execution& execution)
+{
+  SplitResult parted = splitNonManifold(std::move(surface.mesh), std::move(pairs), execution);
+  surface.mesh = std::move(parted.mesh);
+  surface.changes.edgesSplit = parted.edgesSplit;
+  surface.changes.verticesSplit = parted.verticesSplit;
+  surface.pointOrigin = std::move(parted.pointOrigin);
+  pairs.mate = std::move(parted.mate);
+  removePillows(surface, pairs.mate, before);
+}
+
 /// Whether the triangle is the other way round. Its points may have become copies.
 bool isTurned(const Triangle& before, const Triangle& after, const std::vector<Index>& pointOrigin)
 {
@@ -345,6 +291,26 @@ bool isTurned(const Triangle& before, const Triangle& after, const std::vector<I
 }
 
 } // namespace
+
+std::vector<Index> candidatesForRepeats(const EdgePairs& pairs)
+{
+  std::vector<Index> candidates;
+  for (const Index half : pairs.crowded)
+  {
+    candidates.push_back(half / 3);
+  }
+  for (Index half = 0; half < pairs.mate.size(); half += 3)
+  {
+    const auto other = [&](Index k) { return pairs.mate[half + k] / 3; };
+    if (pairs.mate[half] != kNone && other(0) == other(1) && other(1) == other(2))
+    {
+      candidates.push_back(half / 3);
+    }
+  }
+  std::ranges::sort(candidates);
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
 
 SurfaceChanges& SurfaceChanges::operator+=(const SurfaceChanges& other)
 {
@@ -357,32 +323,39 @@ SurfaceChanges& SurfaceChanges::operator+=(const SurfaceChanges& other)
   return *this;
 }
 
-ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& execution)
+ConsistentSurface makeConsistent(
+  TriMesh mesh, const ConsistentOptions& options, Execution& execution)
 {
   requireCorners(mesh);
   ConsistentSurface surface{ .mesh = std::move(mesh) };
   surface.triangleOrigin.resize(surface.mesh.triangles.size());
   std::iota(surface.triangleOrigin.begin(), surface.triangleOrigin.end(), Index{ 0 });
   EdgePairs pairs = pairEdges(surface.mesh, execution);
-  const bool hadRepeats = removeRepeats(surface, pairs);
-  const bool hadFlat = removeFlat(surface, leastHeight, execution);
+  const bool hadRepeats = options.repeats && removeRepeats(surface, pairs);
+  const bool hadFlat = options.flat && removeFlat(surface, options.leastHeight, execution);
   if (hadRepeats || hadFlat)
   {
     pairs = pairEdges(surface.mesh, execution);
   }
   std::vector<Triangle> before = surface.mesh.triangles;
-  if (!pairs.misoriented.empty())
+  if (options.orient && !pairs.misoriented.empty())
   {
     turnDissenters(surface.mesh, pairs);
     pairs = pairEdges(surface.mesh, execution);
   }
-  SplitResult split = splitNonManifold(std::move(surface.mesh), std::move(pairs), execution);
-  surface.mesh = std::move(split.mesh);
-  surface.changes.edgesSplit = split.edgesSplit;
-  surface.changes.verticesSplit = split.verticesSplit;
-  surface.pointOrigin = std::move(split.pointOrigin);
-  removePillows(surface, split.mate, before);
-  turnOutwards(surface.mesh, split.mate, execution);
+  if (options.split)
+  {
+    split(surface, pairs, before, execution);
+  }
+  else
+  {
+    surface.pointOrigin.resize(surface.mesh.points.size());
+    std::iota(surface.pointOrigin.begin(), surface.pointOrigin.end(), Index{ 0 });
+  }
+  if (options.orient)
+  {
+    turnOutwards(surface.mesh, pairs.mate, execution);
+  }
   surface.isTurned.resize(before.size());
   for (std::size_t t = 0; t < before.size(); ++t)
   {
@@ -410,6 +383,11 @@ std::string describe(const SurfaceChanges& changes)
   add(changes.edgesSplit, "edge", "split");
   add(changes.verticesSplit, "point", "repeated");
   return text;
+}
+
+ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& execution)
+{
+  return makeConsistent(std::move(mesh), { .leastHeight = leastHeight }, execution);
 }
 
 } // namespace scan

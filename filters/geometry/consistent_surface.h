@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/base/execution.h"
+#include "filters/geometry/half_edges.h"
 #include "filters/geometry/mesh.h"
 
 #include <string>
@@ -63,5 +64,23 @@ struct ConsistentSurface
 /// Throws Error badInput for a triangle that names a missing point; Cancelled.
 /// @param leastHeight of a triangle that has area, as in removeFlatTriangles()
 ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& execution);
+
+/// Which parts of that to do.
+struct ConsistentOptions
+{
+  double leastHeight = 0.0; ///< model units; 0 or more
+  bool repeats = true;      ///< leave out triangles with the same points
+  bool flat = true;         ///< take out triangles without area
+  bool orient = true;       ///< make neighbours agree and closed pieces face outwards
+  bool split = true;        ///< split edges and points where sheets touch
+};
+
+/// Some parts only: the result is as consistent as they make it.
+ConsistentSurface makeConsistent(
+  TriMesh mesh, const ConsistentOptions& options, Execution& execution);
+
+/// Triangles that may have the same points as others, rising: they share edges that have too many
+/// triangles, or three edges with one other triangle.
+std::vector<Index> candidatesForRepeats(const EdgePairs& pairs);
 
 } // namespace scan
