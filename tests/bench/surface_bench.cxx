@@ -232,26 +232,27 @@ void compareSelfIntersections(const Task& task)
     const auto [a, b, c] = crossed.triangles[t];
     crossed.triangles.push_back({ half + a, half + b, half + c });
   }
-  const auto theirCount = [](const auto& surface)
-  {
-    using Face = typename std::decay_t<decltype(surface)>::Face_index;
-    std::vector<std::pair<Face, Face>> found;
-    CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(found));
-    return std::to_string(found.size()) + " pairs";
-  };
-  using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-  for (const auto& [mesh, name] : { std::pair(&clean, "clean"), std::pair(&crossed, "crossed") })
+  const auto compare = [&](const char* name, const TriMesh& mesh)
   {
     std::printf("%s\n", name);
     measure("selfIntersections",
-      [&, mesh = mesh]
+      [&]
       {
         Execution run(task.threads);
-        return std::to_string(selfIntersections(*mesh, run).size()) + " pairs";
+        return std::to_string(selfIntersections(mesh, run).size()) + " pairs";
       });
-    const auto theirs = cgalSurface<Surface>(*mesh);
-    measure("CGAL self_intersections", [&] { return theirCount(theirs); });
-  }
+    using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+    const auto theirs = cgalSurface<Surface>(mesh);
+    measure("CGAL self_intersections",
+      [&]
+      {
+        std::vector<std::pair<Surface::Face_index, Surface::Face_index>> found;
+        CGAL::Polygon_mesh_processing::self_intersections(theirs, std::back_inserter(found));
+        return std::to_string(found.size()) + " pairs";
+      });
+  };
+  compare("clean", clean);
+  compare("crossed", crossed);
 }
 
 /// A surface from one of a tenth of the triangles, and back. There is nothing to compare it with:
