@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filters/base/error.h"
 #include "filters/geometry/region_rule.h"
 #include "filters/geometry/view_sides.h"
 #include "pipeline/operation_table.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,17 @@ inline std::ptrdiff_t choiceOf(
   const ParameterValues& values, std::string_view name, const std::vector<std::string>& choices)
 {
   return std::ranges::find(choices, valueOf<std::string>(values, name)) - choices.begin();
+}
+
+/// The point of an option that takes one at most.
+inline std::optional<Vec3> singlePoint(const ParameterValues& values, const std::string& name)
+{
+  const auto& points = valueOf<PointList>(values, name);
+  if (points.size() > 1)
+  {
+    throw Error(ErrorCode::badParameter, "--" + name + ": one point is enough");
+  }
+  return points.empty() ? std::nullopt : std::optional(points.front());
 }
 
 /// The names of kViewSides, behind those that come first.

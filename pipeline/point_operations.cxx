@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The Scanwrap authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filters/base/error.h"
 #include "filters/points/vtkScanAddPointsFilter.h"
 #include "filters/points/vtkScanAlignFilter.h"
 #include "filters/points/vtkScanDenoiseFilter.h"
@@ -10,7 +9,6 @@
 #include "pipeline/merge_file.h"
 #include "pipeline/operation_rows.h"
 
-#include <optional>
 #include <string>
 
 namespace scan
@@ -36,17 +34,6 @@ Parameter neighboursParameter(std::int64_t standard, double least, const std::st
 Index neighboursOf(const ParameterValues& values)
 {
   return static_cast<Index>(valueOf<std::int64_t>(values, "neighbours"));
-}
-
-/// The point of an option that takes one at most.
-std::optional<Vec3> singlePoint(const ParameterValues& values, const std::string& name)
-{
-  const auto& points = valueOf<PointList>(values, name);
-  if (points.size() > 1)
-  {
-    throw Error(ErrorCode::badParameter, "--" + name + ": one point is enough");
-  }
-  return points.empty() ? std::nullopt : std::optional(points.front());
 }
 
 ResultValue sizeOf(std::size_t number)

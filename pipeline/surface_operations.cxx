@@ -41,7 +41,9 @@ Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own)
 
 std::vector<Operation> surfaceOperations()
 {
-  return {};
+  return { fillHolesOperation(), bridgeOperation(), refineOperation(), relaxOperation(),
+    decimateOperation(), remeshOperation(), thickenOperation(), offsetOperation(),
+    sharpenOperation() };
 }
 
 } // namespace scan

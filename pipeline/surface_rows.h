@@ -34,4 +34,14 @@ vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 /// moved.
 Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own = {});
 
+Operation decimateOperation();
+Operation refineOperation();
+Operation relaxOperation();
+Operation thickenOperation();
+Operation offsetOperation();
+Operation sharpenOperation();
+Operation fillHolesOperation();
+Operation bridgeOperation();
+Operation remeshOperation();
+
 } // namespace scan

@@ -7,7 +7,6 @@
 #include "filters/geometry/model.h"
 #include "writers/format_traits.h"
 
-#include <string>
 #include <vector>
 
 namespace scan
@@ -28,8 +27,5 @@ Model consistentModel(Model model, const FormatTraits& traits, Execution& execut
 /// @param normals per point of the mesh, or empty
 void turnNormals(
   const TriMesh& mesh, const std::vector<bool>& isTurned, std::vector<Vec3>& normals);
-
-/// What was changed, in one line; empty when nothing was.
-std::string describe(const SurfaceChanges& changes);
 
 } // namespace scan

@@ -28,6 +28,13 @@ inline constexpr const char* kScanFileEnds = "ScanFileEnds";
 inline constexpr const char* kRegionNames = "RegionNames";
 inline constexpr const char* kRegionRules = "RegionRules";
 
+/// Cell data, unsigned bytes: 1 where the surface folds onto itself, 0 elsewhere.
+inline constexpr const char* kFolded = "Folded";
+
+/// Cell data, unsigned bytes: which triangles are halves of one that refining has cut in two, as
+/// scan::halfMark() says. What no longer fits is ignored.
+inline constexpr const char* kHalf = "Half";
+
 /// Cell and field data of wraps: see vtkScanWrapData.
 inline constexpr const char* kBlock = "Block";
 inline constexpr const char* kBlockSize = "BlockSize";

@@ -392,4 +392,24 @@ ConsistentSurface makeConsistent(TriMesh mesh, double leastHeight, Execution& ex
   return surface;
 }
 
+std::string describe(const SurfaceChanges& changes)
+{
+  std::string text;
+  const auto add = [&](Index number, const char* thing, const char* what)
+  {
+    if (number > 0)
+    {
+      text += text.empty() ? "the surface is mended: " : ", ";
+      text += std::to_string(number) + " " + thing + (number == 1 ? "" : "s") + " " + what;
+    }
+  };
+  add(changes.removed, "triangle", "without area left out");
+  add(changes.repeats, "repeated triangle", "left out");
+  add(changes.cut, "triangle", "cut");
+  add(changes.turned, "triangle", "turned over");
+  add(changes.edgesSplit, "edge", "split");
+  add(changes.verticesSplit, "point", "repeated");
+  return text;
+}
+
 } // namespace scan

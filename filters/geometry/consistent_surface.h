@@ -5,6 +5,7 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
+#include <string>
 #include <vector>
 
 namespace scan
@@ -29,6 +30,9 @@ struct SurfaceChanges
 
   SurfaceChanges& operator+=(const SurfaceChanges& other);
 };
+
+/// What was changed, in one line; empty when nothing was.
+std::string describe(const SurfaceChanges& changes);
 
 /// An oriented 2-manifold, with or without boundary.
 struct ConsistentSurface

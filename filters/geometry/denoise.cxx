@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/denoise.h"
 
+#include "filters/geometry/limited_move.h"
 #include "filters/geometry/local_plane.h"
 
 #include <Eigen/Cholesky>
@@ -184,24 +185,6 @@ double Surface::heightAt(Index place) const
   return std::isfinite(height) ? reach * height : 0.0;
 }
 
-/// `from + shift`, or what of it does not exceed the limit.
-Vec3 shifted(const Vec3& from, const Vec3& shift, double limit)
-{
-  const double wanted = length(shift);
-  double share = wanted > limit ? limit / wanted : 1.0;
-  for (int i = 0; i < 8; ++i) // rounding may exceed it, far from the origin by much
-  {
-    const Vec3 to = from + shift * share;
-    const double excess = length(to - from) - limit;
-    if (excess <= 0.0)
-    {
-      return to;
-    }
-    share = std::max(0.0, share - std::max(2.0 * excess / wanted, 0x1p-50));
-  }
-  return from;
-}
-
 } // namespace
 
 DenoiseResult denoise(std::span<const Vec3> points, std::span<const std::uint8_t> inRegion,
@@ -228,7 +211,7 @@ DenoiseResult denoise(std::span<const Vec3> points, std::span<const std::uint8_t
           {
             if (inRegion[point] != 0)
             {
-              result.points[point] = shifted(points[point], to - points[point], options.maxShift);
+              result.points[point] = limitedMove(points[point], to, options.maxShift);
               isLimited[point] = result.points[point] != to ? 1 : 0;
             }
           }

@@ -86,5 +86,6 @@ void vtkScanSurfaceFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Ex
     execution.step("measure", 2, 2);
   }
   scan::setSurface(input, edit, cells, output);
+  scan::bridge::passOrigin(input, output);
   this->Finish(output);
 }

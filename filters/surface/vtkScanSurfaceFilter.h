@@ -28,6 +28,8 @@ public:
     this->Modified();
   }
 
+  const scan::Length& GetMaxDeviation() const { return this->MaxDeviation; }
+
   /// Whether to measure how far the surface moves. Default: true.
   void SetMeasure(bool measure)
   {
@@ -63,7 +65,8 @@ protected:
   /// A length of a property in model units.
   static double InModelUnits(const scan::Length& length, const Surface& surface);
 
-  /// Called with the finished output: for arrays or regions of an operation's own.
+  /// Called with the finished output, which has the regions of the input: for arrays or regions of
+  /// an operation's own.
   virtual void Finish(vtkPolyData& output);
 
   void Run(vtkPolyData& input, vtkPolyData& output, scan::Execution& execution) final;

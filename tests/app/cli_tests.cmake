@@ -51,6 +51,27 @@ scan_cli_test(RepairAngles "scanwrap $DATA/plate_hole.xyz wrap repair-angles --v
 scan_cli_test(RemoveWebsOfASolid "scanwrap $DATA/torus.xyz wrap remove-webs -o out.stl" FILES out.stl ERR "^scanwrap: remove-webs: nothing changed\n$")
 scan_cli_test(OpenOrCapped "scanwrap $DATA/monkey_saddle.xyz wrap --open=cap info wrap --open=keep info" OUT "closed +yes\n.*closed +no\n")
 scan_cli_test(Front "scanwrap $DATA/torus.xyz wrap --mode=front info" OUT "triangles +10000\n.*genus +1\n")
+scan_cli_test(Relax "scanwrap $DATA/torus.xyz wrap relax --max-deviation=0.01 --verbose info -o out.stl" FILES out.stl
+  ERR "points-moved +5000\n.*largest-shift +0\\.00999" OUT "closed +yes\n.*genus +1\n")
+scan_cli_test(RelaxedPartOfASurface "scanwrap $DATA/plate_hole.xyz wrap relax --keep-features=40 --region='plane(0,0,0, 1,0,0)' --verbose info" ERR "feature-edges +[1-9]" OUT "closed +yes\n")
+scan_cli_test(Thicken "scanwrap $DATA/monkey_saddle.xyz wrap thicken --thickness=0.06 --verbose info -o out.stl" FILES out.stl
+  ERR "strip-triangles +120\n.*triangles-folded +0\n" OUT "closed +yes\nmanifold +yes\noriented +yes\n.*genus +0\n")
+scan_cli_test(ThickenTooMuch "scanwrap $DATA/monkey_saddle.xyz wrap thicken --thickness=1.5 --verbose crop --region=folded info"
+  ERR "folded-at +[-0-9].*thicken: folds onto itself in [0-9]+ places?, [0-9]+ triangles: the region folded\n" OUT "\ntriangles +[1-9]")
+scan_cli_test(ThickenARegion "scanwrap $DATA/torus.xyz wrap thicken --side=out --region='sphere(1,0,0,0.5)' info" OUT "components +2\n")
+scan_cli_test(OffsetThereAndBack "scanwrap $DATA/torus.xyz wrap offset --distance=0.01 --verbose offset --distance=-0.01 info"
+  ERR "points-moved +5000\n.*largest-deviation +0\\.01" OUT "triangles +10000\n.*closed +yes\n")
+scan_cli_test(Sharpen "scanwrap $DATA/plate_hole.xyz wrap sharpen --verbose info" ERR "edges-cut +[0-9]+\n" OUT "closed +yes\nmanifold +yes\n")
+scan_cli_test(Decimate "scanwrap $DATA/torus.xyz wrap decimate --ratio=10% --verbose info -o out.stl" FILES out.stl OUT "triangles +1000\n.*closed +yes\nmanifold +yes\n.*genus +1\n" ERR "triangles-before +10000\ntriangles-after +1000\n.*new-self-intersections +0\n.*largest-deviation-at-most +0\\.")
+scan_cli_test(DecimateToADeviation "scanwrap $DATA/torus.xyz wrap decimate --max-deviation=0.01 info" OUT "triangles +[0-9][0-9][0-9]+\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(DecimateByOpenMesh "scanwrap $DATA/torus.xyz wrap decimate --method=openmesh --triangles=2000 --longest-edge=0.3 info" OUT "triangles +2000\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(DecimateRatioWrong "scanwrap $DATA/torus.xyz wrap decimate --ratio=120%" STATUS 2 ERR "--ratio.*more than 0 and at most 100%")
+scan_cli_test(RefineTwice "scanwrap $DATA/torus.xyz wrap refine --times=2 info" OUT "triangles +160000\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(RefineHereAndThere "scanwrap $DATA/torus.xyz wrap refine --mode=midpoint --region='sphere(1.35,0,0,0.3)' refine --region='sphere(1.35,0,0,0.2)' refine --region='sphere(1.35,0,0,0.4)' --verbose info" OUT "closed +yes\n.*genus +1\n" ERR "halves-joined +[1-9]")
+scan_cli_test(FillHolesOfAnOpenTorus "scanwrap $DATA/torus.xyz wrap erase --region='box(0.9,-0.3,-1,2,0.3,1)' info fill-holes --shape=curved info" OUT "closed +no\n.*closed +yes\n.*genus +1\n")
+scan_cli_test(FillHolesLeavesTheRim "scanwrap $DATA/monkey_saddle.xyz wrap fill-holes info" OUT "closed +no\n" ERR "left 1 [(]the rim of an open surface[)]")
+scan_cli_test(RemeshEvenly "scanwrap $DATA/torus.xyz wrap remesh --edge-length=0.05 --verbose info" OUT "closed +yes\n.*genus +1\n" ERR "edges-of-that-length +0[.][89]")
+scan_cli_test(BridgeNeedsTwoPlaces "scanwrap $DATA/torus.xyz wrap bridge --from=0,0,0 -o out.stl 2>&1; test ! -e out.stl" OUT "needs two places")
 scan_cli_test(Help "scanwrap --help" OUT "operations:\n.*wrap .*--max-memory=")
 scan_cli_test(VerbHelp "scanwrap wrap --help" OUT "--mode=auto.classic.front\n.*example:\n  scanwrap ")
 scan_cli_test(Version "scanwrap --version" OUT "^scanwrap [0-9.]+\n$")

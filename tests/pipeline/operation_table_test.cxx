@@ -40,7 +40,7 @@ TEST(OperationTable, WorksOnRegions)
   for (const Operation& operation : operationTable())
   {
     const bool isOfModels = operation.stage == Stage::points || operation.stage == Stage::wrap ||
-      operation.stage == Stage::analysis;
+      operation.stage == Stage::surface || operation.stage == Stage::analysis;
     EXPECT_EQ(std::ranges::count(operation.parameters, "region", &Parameter::name),
       isOfModels && !withoutRegion.contains(operation.verb) ? 1 : 0)
       << operation.verb;
