@@ -15,7 +15,7 @@ namespace scan
 class ConvexPiece
 {
 public:
-  static constexpr std::size_t kMostCorners = 16;
+  static constexpr std::size_t kMostCorners = 9;
 
   ConvexPiece() = default;
   explicit ConvexPiece(const std::array<Vec3, 3>& triangle);

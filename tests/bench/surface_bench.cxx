@@ -70,7 +70,7 @@ double secondsOfProcessors()
 
 /// Runs in a process of its own, so that the peak is that of the run alone. Of three runs the
 /// fastest counts. What `run` returns is printed.
-void measure(const char* name, const std::function<std::string()>& run)
+void measure(const Task& task, const char* name, const std::function<std::string()>& run)
 {
   std::fflush(stdout);
   const pid_t child = fork();
@@ -79,6 +79,8 @@ void measure(const char* name, const std::function<std::string()>& run)
     waitpid(child, nullptr, 0);
     return;
   }
+  const tbb::global_control limit(
+    tbb::global_control::max_allowed_parallelism, std::max(1U, task.threads));
   double seconds = 1e30;
   double ofProcessors = 1e30;
   std::string result;
@@ -156,7 +158,7 @@ void compareNearest(const Task& task)
     sorted.push_back(points[i]);
   }
   points.swap(sorted);
-  measure("TriangleTree",
+  measure(task, "TriangleTree",
     [&]
     {
       const TriangleTree tree(mesh, run);
@@ -170,7 +172,7 @@ void compareNearest(const Task& task)
       }
       return meanOf(sum, points.size());
     });
-  measure("TriangleTree, the tree alone",
+  measure(task, "TriangleTree, the tree alone",
     [&]
     {
       const TriangleTree tree(mesh, run);
@@ -180,7 +182,7 @@ void compareNearest(const Task& task)
   using Surface = CGAL::Surface_mesh<Simple::Point_3>;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface>;
   const Surface theirs = cgalSurface<Surface>(mesh);
-  measure("CGAL AABB_tree",
+  measure(task, "CGAL AABB_tree",
     [&]
     {
       CGAL::AABB_tree<CGAL::AABB_traits<Simple, Primitive>> tree(
@@ -194,7 +196,7 @@ void compareNearest(const Task& task)
       return meanOf(sum, points.size());
     });
   const vtkNew<vtkPolyData> surface = vtkSurface(mesh);
-  measure("vtkStaticCellLocator",
+  measure(task, "vtkStaticCellLocator",
     [&]
     {
       vtkNew<vtkStaticCellLocator> locator;
@@ -232,26 +234,27 @@ void compareSelfIntersections(const Task& task)
     const auto [a, b, c] = crossed.triangles[t];
     crossed.triangles.push_back({ half + a, half + b, half + c });
   }
-  const auto theirCount = [](const auto& surface)
-  {
-    using Face = typename std::decay_t<decltype(surface)>::Face_index;
-    std::vector<std::pair<Face, Face>> found;
-    CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(found));
-    return std::to_string(found.size()) + " pairs";
-  };
-  using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-  for (const auto& [mesh, name] : { std::pair(&clean, "clean"), std::pair(&crossed, "crossed") })
+  const auto compare = [&](const char* name, const TriMesh& mesh)
   {
     std::printf("%s\n", name);
-    measure("selfIntersections",
-      [&, mesh = mesh]
+    measure(task, "selfIntersections",
+      [&]
       {
         Execution run(task.threads);
-        return std::to_string(selfIntersections(*mesh, run).size()) + " pairs";
+        return std::to_string(selfIntersections(mesh, run).size()) + " pairs";
       });
-    const auto theirs = cgalSurface<Surface>(*mesh);
-    measure("CGAL self_intersections", [&] { return theirCount(theirs); });
-  }
+    using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+    const auto theirs = cgalSurface<Surface>(mesh);
+    measure(task, "CGAL self_intersections",
+      [&]
+      {
+        std::vector<std::pair<Surface::Face_index, Surface::Face_index>> found;
+        CGAL::Polygon_mesh_processing::self_intersections(theirs, std::back_inserter(found));
+        return std::to_string(found.size()) + " pairs";
+      });
+  };
+  compare("clean", clean);
+  compare("crossed", crossed);
 }
 
 /// A surface from one of a tenth of the triangles, and back. There is nothing to compare it with:
@@ -262,7 +265,7 @@ void measureDeviation(const Task& task)
   const TriMesh coarse = knotOf(task.triangles / 10);
   const auto measureFrom = [&](const char* name, const TriMesh& from, const TriMesh& to)
   {
-    measure(name,
+    measure(task, name,
       [&]
       {
         Execution run(task.threads);
@@ -289,8 +292,6 @@ int main(int argc, char** argv)
   const std::string word = argc > 1 ? argv[1] : "all";
   const Task task{ argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1000000,
     static_cast<unsigned>(argc > 3 ? std::atoi(argv[3]) : 1) };
-  const tbb::global_control limit(
-    tbb::global_control::max_allowed_parallelism, std::max(1U, task.threads));
   for (const auto& [name, compare] : kComparisons)
   {
     if (word == name || word == "all")
