@@ -19,6 +19,10 @@ namespace
 /// Of all edges, how many at most a sweep reaches: fewer are nearer to the order of a heap.
 constexpr double kSweepShare = 0.04;
 
+/// Of planes across boundaries, by the squared length of the edge: a line has less weight than the
+/// surface beside it, but is seen as clearly.
+constexpr double kBoundaryWeight = 2.0;
+
 /// How much the length of an edge adds to its cost, so that planes are thinned evenly.
 constexpr double kLengthShare = 1e-7;
 
@@ -83,7 +87,9 @@ void QuadricDecimation::addPlanesAcross(Index half, const Vec3& normal, double c
 {
   const Vec3& a = this->Mesh.points[this->Mesh.from(half)];
   const Vec3& b = this->Mesh.points[this->Mesh.to(half)];
-  if (const Index other = this->Mesh.mate[half]; other != kNone)
+  const Index other = this->Mesh.mate[half];
+  const double weight = other == kNone ? kBoundaryWeight : 1.0;
+  if (other != kNone)
   {
     const Vec3& apex = this->Mesh.points[this->Mesh.from(previousHalf(other))];
     const Vec3 otherNormal = cross(a - b, apex - b);
@@ -96,7 +102,7 @@ void QuadricDecimation::addPlanesAcross(Index half, const Vec3& normal, double c
   const Vec3 across = cross(edge, normal);
   if (const double size = length(across); size > 0.0)
   {
-    const Quadric plane = Quadric::plane(across * (1.0 / size), a, dot(edge, edge));
+    const Quadric plane = Quadric::plane(across * (1.0 / size), a, weight * dot(edge, edge));
     this->Quadrics[this->Mesh.from(half)] += plane;
     this->Quadrics[this->Mesh.to(half)] += plane;
   }
