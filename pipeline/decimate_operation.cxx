@@ -26,7 +26,7 @@ double parseRatio(std::string_view text)
     !(ratio > 0.0 && ratio <= 1.0))
   {
     throw Error(ErrorCode::badParameter,
-      "expected a share of the triangles such as 10% or 0.1, more than 0 and at most 100%");
+      "--ratio: expected a share of the triangles such as 10% or 0.1, more than 0 and at most 100%");
   }
   return ratio;
 }

@@ -16,12 +16,15 @@ namespace scan
 namespace
 {
 
-/// Of all edges, how many at most a sweep reaches: fewer are nearer to the order of a heap.
-constexpr double kSweepShare = 0.04;
+/// Of all edges, how many at most a sweep reaches; fewer take longer and are hardly better.
+constexpr double kSweepShare = 0.08;
 
 /// Of planes across boundaries, by the squared length of the edge: a line has less weight than the
 /// surface beside it, but is seen as clearly.
 constexpr double kBoundaryWeight = 2.0;
+
+/// How far the best place may be from the middle of an edge, squared, as a multiple of its length.
+constexpr double kFarthest = 1.0;
 
 /// How much the length of an edge adds to its cost, so that planes are thinned evenly.
 constexpr double kLengthShare = 1e-7;
@@ -114,7 +117,7 @@ Vec3 QuadricDecimation::bestPlace(const Quadric& sum, const Vec3& a, const Vec3&
   const Vec3 best = sum.least(middle);
   const Vec3 edge = b - a;
   const Vec3 away = best - middle;
-  if (dot(away, away) <= 4.0 * dot(edge, edge))
+  if (dot(away, away) <= kFarthest * dot(edge, edge))
   {
     return best;
   }

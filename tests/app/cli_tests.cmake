@@ -65,7 +65,7 @@ scan_cli_test(Sharpen "scanwrap $DATA/plate_hole.xyz wrap sharpen --verbose info
 scan_cli_test(Decimate "scanwrap $DATA/torus.xyz wrap decimate --ratio=10% --verbose info -o out.stl" FILES out.stl OUT "triangles +1000\n.*closed +yes\nmanifold +yes\n.*genus +1\n" ERR "triangles-before +10000\ntriangles-after +1000\n.*new-self-intersections +0\n.*largest-deviation-at-most +0\\.")
 scan_cli_test(DecimateToADeviation "scanwrap $DATA/torus.xyz wrap decimate --max-deviation=0.01 info" OUT "triangles +[0-9][0-9][0-9]+\n.*closed +yes\n.*genus +1\n")
 scan_cli_test(DecimateByOpenMesh "scanwrap $DATA/torus.xyz wrap decimate --method=openmesh --triangles=2000 --longest-edge=0.3 info" OUT "triangles +2000\n.*closed +yes\n.*genus +1\n")
-scan_cli_test(DecimateRatioWrong "scanwrap $DATA/torus.xyz wrap decimate --ratio=120%" STATUS 2 ERR "--ratio.*more than 0 and at most 100%")
+scan_cli_test(DecimateRatioWrong "scanwrap $DATA/torus.xyz wrap decimate --ratio=120%" EXIT 2 ERR "--ratio.*more than 0 and at most 100%")
 scan_cli_test(RefineTwice "scanwrap $DATA/torus.xyz wrap refine --times=2 info" OUT "triangles +160000\n.*closed +yes\n.*genus +1\n")
 scan_cli_test(RefineHereAndThere "scanwrap $DATA/torus.xyz wrap refine --mode=midpoint --region='sphere(1.35,0,0,0.3)' refine --region='sphere(1.35,0,0,0.2)' refine --region='sphere(1.35,0,0,0.4)' --verbose info" OUT "closed +yes\n.*genus +1\n" ERR "halves-joined +[1-9]")
 scan_cli_test(FillHolesOfAnOpenTorus "scanwrap $DATA/torus.xyz wrap erase --region='box(0.9,-0.3,-1,2,0.3,1)' info fill-holes --shape=curved info" OUT "closed +no\n.*closed +yes\n.*genus +1\n")
