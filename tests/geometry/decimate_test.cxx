@@ -9,9 +9,9 @@
 #include "filters/geometry/openmesh_decimate.h"
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/surface_deviation.h"
-#include "tests/geometry/mesh_corpus.h"
 #include "tests/geometry/point_fixtures.h"
 #include "tests/geometry/refine_fixtures.h"
+#include "tests/geometry/surface_corpus.h"
 
 #include <gtest/gtest.h>
 
@@ -72,29 +72,6 @@ void expectSameKind(const TriMesh& before, const TriMesh& after)
   EXPECT_EQ(is.isManifold, was.isManifold);
   EXPECT_EQ(is.isOriented, was.isOriented);
   EXPECT_LE(is.flatTriangles, was.flatTriangles);
-}
-
-/// An n × n grid of squares over the unit square, cut in two each, at heights of a function.
-template <class Height>
-TriMesh heightField(Index n, Height&& height)
-{
-  TriMesh mesh;
-  for (Index i = 0; i <= n; ++i)
-  {
-    for (Index j = 0; j <= n; ++j)
-    {
-      const double x = double(i) / n;
-      const double y = double(j) / n;
-      mesh.points.push_back({ x, y, height(x, y) });
-      if (i < n && j < n)
-      {
-        const Index at = i * (n + 1) + j;
-        mesh.triangles.push_back({ at, at + n + 1, at + n + 2 });
-        mesh.triangles.push_back({ at, at + n + 2, at + 1 });
-      }
-    }
-  }
-  return mesh;
 }
 
 TEST(Decimate, KeepsWhatASurfaceIs)
@@ -188,14 +165,14 @@ TEST(Decimate, GoesFarWithinALargestDeviation)
 
 TEST(Decimate, LeavesFewTrianglesInAPlane)
 {
-  const TriMesh plane = heightField(40, [](double, double) { return 0.0; });
+  const TriMesh plane = corpus::sheet(40, [](double, double) { return 0.0; });
   DecimateOptions options;
   options.maxDeviation = 1e-6;
   const TriMesh result = decimated(plane, options).edit.mesh;
   EXPECT_LE(result.triangles.size(), 8U);
   const MeshReport report = describeMesh(result);
-  EXPECT_NEAR(report.area, 1.0, 1e-6); // the corners of the boundary are where they were
-  EXPECT_NEAR(report.boxDiagonal, std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(report.area, 4.0, 1e-6); // the corners of the boundary are where they were
+  EXPECT_NEAR(report.boxDiagonal, std::sqrt(8.0), 1e-9);
 }
 
 TEST(Decimate, KeepsEdgesAndCornersOfACube)
@@ -210,14 +187,14 @@ TEST(Decimate, KeepsThinFins)
 {
   // a fin whose sides lie upon each other: no plane stands across its rim
   const TriMesh fin =
-    heightField(60, [](double x, double) { return std::max(0.0, 1.0 - 60.0 * std::abs(x - 0.5)); });
+    corpus::sheet(60, [](double x, double) { return std::max(0.0, 1.0 - 30.0 * std::abs(x)); });
   const TriMesh result = decimated(fin, toShare(fin, 0.02)).edit.mesh;
   EXPECT_NEAR(describeMesh(result).boxMax.z, 1.0, 0.02);
 }
 
 TEST(Decimate, TurnsNoTriangleOver)
 {
-  const TriMesh field = heightField(
+  const TriMesh field = corpus::sheet(
     50, [](double x, double y) { return 0.05 * std::sin(9.0 * x) * std::cos(7.0 * y + 2.0 * x); });
   const TriMesh result = decimated(field, toShare(field, 0.05)).edit.mesh;
   for (const auto& [a, b, c] : result.triangles)
