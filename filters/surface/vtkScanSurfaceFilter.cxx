@@ -72,7 +72,8 @@ void vtkScanSurfaceFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Ex
   }
   const scan::SurfaceEdit edit = this->Edit(surface, execution);
   this->TrianglesAfter = static_cast<vtkIdType>(edit.mesh.triangles.size());
-  if (isSame(mesh, edit.mesh))
+  const bool stays = isSame(mesh, edit.mesh);
+  if (stays)
   {
     this->AddNote("nothing changed");
   }
@@ -81,7 +82,8 @@ void vtkScanSurfaceFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Ex
     execution.step("measure", 0, 2);
     if (!edit.mesh.triangles.empty())
     {
-      this->Deviation = deviationBetween(mesh, edit.mesh, execution);
+      this->Deviation =
+        stays ? scan::SurfaceDeviation() : deviationBetween(mesh, edit.mesh, execution);
     }
     execution.step("measure", 2, 2);
   }

@@ -63,6 +63,8 @@ scan_cli_test(OffsetThereAndBack "scanwrap $DATA/torus.xyz wrap offset --distanc
   ERR "points-moved +5000\n.*largest-deviation +0\\.01" OUT "triangles +10000\n.*closed +yes\n")
 scan_cli_test(Sharpen "scanwrap $DATA/plate_hole.xyz wrap sharpen --verbose info" ERR "edges-cut +[0-9]+\n" OUT "closed +yes\nmanifold +yes\n")
 scan_cli_test(Decimate "scanwrap $DATA/torus.xyz wrap decimate --ratio=10% --verbose info -o out.stl" FILES out.stl OUT "triangles +1000\n.*closed +yes\nmanifold +yes\n.*genus +1\n" ERR "triangles-before +10000\ntriangles-after +1000\n.*new-self-intersections +0\n.*largest-deviation-at-most +0\\.")
+scan_cli_test(ThickSaddle "scanwrap $DATA/monkey_saddle.xyz wrap refine --mode=midpoint thicken --thickness=0.06 decimate --ratio=10% mend --preview --verbose info"
+  ERR "triangles-folded +0\n.*triangles-after +3718\n.*new-self-intersections +0\n.*\nself-intersections +0\n" OUT "triangles +3718\n.*closed +yes\nmanifold +yes\noriented +yes\n.*genus +0\n")
 scan_cli_test(DecimateToADeviation "scanwrap $DATA/torus.xyz wrap decimate --max-deviation=0.01 info" OUT "triangles +[0-9][0-9][0-9]+\n.*closed +yes\n.*genus +1\n")
 scan_cli_test(DecimateByOpenMesh "scanwrap $DATA/torus.xyz wrap decimate --method=openmesh --triangles=2000 --longest-edge=0.3 info" OUT "triangles +2000\n.*closed +yes\n.*genus +1\n")
 scan_cli_test(DecimateRatioWrong "scanwrap $DATA/torus.xyz wrap decimate --ratio=120%" EXIT 2 ERR "--ratio.*more than 0 and at most 100%")
