@@ -50,9 +50,15 @@ struct Quadric
 
   double at(const Vec3& x) const { return dot(x, this->times(x) + this->b * 2.0) + this->c; }
 
+  enum class Precision
+  {
+    rough, ///< strong directions are off by a hundred thousandth of the way
+    fine
+  };
+
   /// Where the sum is least; where it hardly tells (in a plane, along a line) the place nearest to
   /// `near`.
-  Vec3 least(const Vec3& near) const
+  Vec3 least(const Vec3& near, Precision precision) const
   {
     // (A + e I) d = -(A near + b): the share of e keeps directions that no plane decides
     constexpr double kShare = 1e-5;
@@ -79,7 +85,8 @@ struct Quadric
     };
     const Vec3 r = (this->times(near) + this->b) * -1.0;
     const Vec3 d = solve(r);
-    return near + d + solve(r - this->times(d)); // a second step takes back what e has changed
+    // a second step takes back what e has changed
+    return near + (precision == Precision::rough ? d : d + solve(r - this->times(d)));
   }
 };
 

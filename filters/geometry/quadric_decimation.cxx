@@ -111,10 +111,11 @@ void QuadricDecimation::addPlanesAcross(Index half, const Vec3& normal, double c
   }
 }
 
-Vec3 QuadricDecimation::bestPlace(const Quadric& sum, const Vec3& a, const Vec3& b) const
+Vec3 QuadricDecimation::bestPlace(
+  const Quadric& sum, const Vec3& a, const Vec3& b, Quadric::Precision precision) const
 {
   const Vec3 middle = (a + b) * 0.5;
-  const Vec3 best = sum.least(middle);
+  const Vec3 best = sum.least(middle, precision);
   const Vec3 edge = b - a;
   const Vec3 away = best - middle;
   if (dot(away, away) <= kFarthest * dot(edge, edge))
@@ -125,7 +126,8 @@ Vec3 QuadricDecimation::bestPlace(const Quadric& sum, const Vec3& a, const Vec3&
     [&](const Vec3& left, const Vec3& right) { return sum.at(left) < sum.at(right); });
 }
 
-QuadricDecimation::Contraction QuadricDecimation::contraction(Index half) const
+QuadricDecimation::Contraction QuadricDecimation::contraction(
+  Index half, Quadric::Precision precision) const
 {
   const Index u = this->Mesh.from(half);
   const Index v = this->Mesh.to(half);
@@ -151,7 +153,7 @@ QuadricDecimation::Contraction QuadricDecimation::contraction(Index half) const
   result.weight = sum.weight();
   result.place = isAtU || this->IsFixed[u] != 0 ? a
     : isAtV || this->IsFixed[v] != 0            ? b
-                                                : this->bestPlace(sum, a, b);
+                                                : this->bestPlace(sum, a, b, precision);
   const Vec3 edge = b - a;
   const double fromPlanes = std::max(sum.at(result.place), 0.0);
   const double squares = fromPlanes + kLengthShare * result.weight * dot(edge, edge);
@@ -242,7 +244,7 @@ double QuadricDecimation::squaredLoss(Index half, const Vec3& place, double enou
 /// Contracts an edge if it may; else says what it costs from now on.
 float QuadricDecimation::tryContraction(Index half, float threshold)
 {
-  const Contraction found = this->contraction(half);
+  const Contraction found = this->contraction(half, Quadric::Precision::fine);
   if (found.cost == kNever || !this->Mesh.keepsTopology(half) ||
     !this->keepsShapes(half, found.place))
   {
@@ -288,7 +290,7 @@ void QuadricDecimation::updateCosts(Index point)
   {
     const Index other = this->Mesh.mate[half];
     const Index first = std::min(half, other); // kNone is the largest number
-    this->EdgeCosts[first] = this->contraction(first).cost;
+    this->EdgeCosts[first] = this->contraction(first, Quadric::Precision::rough).cost;
     if (other != kNone)
     {
       this->EdgeCosts[std::max(half, other)] = kNever;
@@ -372,7 +374,7 @@ void QuadricDecimation::run(std::size_t triangles, double meanDistance, Executio
       {
         if (half < this->Mesh.mate[half])
         {
-          this->EdgeCosts[half] = this->contraction(half).cost;
+          this->EdgeCosts[half] = this->contraction(half, Quadric::Precision::rough).cost;
         }
       }
     });

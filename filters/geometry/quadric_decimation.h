@@ -66,8 +66,9 @@ private:
 
   void addPlanes(double creaseAngle);
   void addPlanesAcross(Index half, const Vec3& normal, double creaseCosine);
-  Contraction contraction(Index half) const;
-  Vec3 bestPlace(const Quadric& sum, const Vec3& a, const Vec3& b) const;
+  Contraction contraction(Index half, Quadric::Precision precision) const;
+  Vec3 bestPlace(
+    const Quadric& sum, const Vec3& a, const Vec3& b, Quadric::Precision precision) const;
   bool keepsShapes(Index half, const Vec3& place) const;
   double squaredLoss(Index half, const Vec3& place, double enough) const;
   float threshold(std::size_t triangles);
