@@ -49,7 +49,7 @@ Results infoResults(vtkAlgorithm& filter)
   };
   for (const auto& [name, points] : info.GetFiles())
   {
-    results.emplace_back("points-of " + name, count(static_cast<std::int64_t>(points)));
+    results.emplace_back("points-of " + name, sizeOf(points));
   }
   if (report.components.empty())
   {
@@ -58,7 +58,7 @@ Results infoResults(vtkAlgorithm& filter)
   const Results ofSurface{
     { "points-used", count(report.pointsUsed) },
     { "edges", count(report.edges) },
-    { "components", count(static_cast<std::int64_t>(report.components.size())) },
+    { "components", sizeOf(report.components.size()) },
     { "largest-component-points", count(report.components.front().points) },
     { "largest-component-triangles", count(report.components.front().triangles) },
     { "closed", report.isClosed },

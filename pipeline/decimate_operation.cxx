@@ -26,7 +26,8 @@ double parseRatio(std::string_view text)
     !(ratio > 0.0 && ratio <= 1.0))
   {
     throw Error(ErrorCode::badParameter,
-      "--ratio: expected a share of the triangles such as 10% or 0.1, more than 0 and at most 100%");
+      "--ratio: expected a share of the triangles such as 10% or 0.1, more than 0 and at most "
+      "100%");
   }
   return ratio;
 }
@@ -94,9 +95,9 @@ Operation decimateOperation()
     const auto& filter = as<vtkScanDecimateFilter>(algorithm);
     const DecimateResult& result = filter.GetResult();
     return surfaceResults(filter,
-      { { "points-moved", count(static_cast<std::int64_t>(result.pointsMoved)) },
-        { "new-self-intersections", count(static_cast<std::int64_t>(result.intersections)) },
-        { "runs", count(static_cast<std::int64_t>(result.rounds)) } });
+      { { "points-moved", sizeOf(result.pointsMoved) },
+        { "new-self-intersections", sizeOf(result.intersections) },
+        { "runs", sizeOf(result.rounds) } });
   };
   return row;
 }

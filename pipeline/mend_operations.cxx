@@ -17,11 +17,6 @@ void checkKinds(std::string_view text)
   static_cast<void>(parseDefectKinds(text));
 }
 
-ResultValue sizeOf(std::size_t number)
-{
-  return count(static_cast<std::int64_t>(number));
-}
-
 /// Where defects of a kind are, the first ones.
 std::string placesOf(const DefectList& list, DefectKind kind)
 {

@@ -8,6 +8,7 @@
 #include "pipeline/operation_table.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <optional>
@@ -78,6 +79,12 @@ const Filter& as(vtkAlgorithm& algorithm)
 inline ResultValue count(std::int64_t number)
 {
   return number;
+}
+
+/// The same for sizes.
+inline ResultValue sizeOf(std::size_t number)
+{
+  return count(static_cast<std::int64_t>(number));
 }
 
 } // namespace scan

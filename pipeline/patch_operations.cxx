@@ -84,8 +84,7 @@ Operation fillHolesOperation()
     const FillHolesResult& result = filter.GetResult();
     const auto filled = std::ranges::count(result.holes, HoleFate::filled, &Hole::fate);
     return surfaceResults(filter,
-      { { "holes", count(static_cast<std::int64_t>(result.holes.size())) },
-        { "holes-filled", count(filled) },
+      { { "holes", sizeOf(result.holes.size()) }, { "holes-filled", count(filled) },
         { "holes-left", count(static_cast<std::int64_t>(result.holes.size()) - filled) },
         { "points-added", count(result.pointsAdded) },
         { "triangles-added", count(result.trianglesAdded) } });

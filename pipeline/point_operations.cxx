@@ -36,11 +36,6 @@ Index neighboursOf(const ParameterValues& values)
   return static_cast<Index>(valueOf<std::int64_t>(values, "neighbours"));
 }
 
-ResultValue sizeOf(std::size_t number)
-{
-  return count(static_cast<std::int64_t>(number));
-}
-
 template <class Filter>
 Results pointCounts(vtkAlgorithm& algorithm)
 {

@@ -54,10 +54,8 @@ Operation refineOperation()
     const RefineResult& result = filter.GetResult();
     return surfaceResults(filter,
       { { "points-added", count(filter.GetPointsAdded()) },
-        { "cut-in-four", count(static_cast<std::int64_t>(result.cutInFour)) },
-        { "cut-in-two", count(static_cast<std::int64_t>(result.cutInTwo)) },
-        { "halves-joined", count(static_cast<std::int64_t>(result.joined)) },
-        { "points-held-back", count(static_cast<std::int64_t>(result.heldBack)) },
+        { "cut-in-four", sizeOf(result.cutInFour) }, { "cut-in-two", sizeOf(result.cutInTwo) },
+        { "halves-joined", sizeOf(result.joined) }, { "points-held-back", sizeOf(result.heldBack) },
         { "largest-shift", result.largestShift } });
   };
   return row;

@@ -64,11 +64,10 @@ Operation relaxOperation()
   {
     const auto& filter = as<vtkScanRelaxFilter>(algorithm);
     const RelaxResult& result = filter.GetResult();
-    const auto number = [](std::size_t n) { return count(static_cast<std::int64_t>(n)); };
-    Results own{ { "points-moved", number(result.moved) },
-      { "points-at-max-deviation", number(result.limited) },
-      { "feature-edges", number(result.featureEdges) },
-      { "feature-corners", number(result.featureCorners) }, { "mean-shift", result.meanShift },
+    Results own{ { "points-moved", sizeOf(result.moved) },
+      { "points-at-max-deviation", sizeOf(result.limited) },
+      { "feature-edges", sizeOf(result.featureEdges) },
+      { "feature-corners", sizeOf(result.featureCorners) }, { "mean-shift", result.meanShift },
       { "largest-shift", result.largestShift } };
     if (result.volumeBefore)
     {

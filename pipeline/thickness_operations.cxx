@@ -21,7 +21,7 @@ Results foldResults(const SurfaceFolds& folds)
   Results results{ { "triangles-folded", count(folds.folded) },
     { "triangles-turned", count(folds.turned) }, { "triangles-shrunk", count(folds.shrunk) },
     { "triangles-crossing", count(folds.crossing) },
-    { "folded-places", count(static_cast<std::int64_t>(folds.places.size())) } };
+    { "folded-places", sizeOf(folds.places.size()) } };
   if (!folds.places.empty())
   {
     results.emplace_back("folded-at", textOf(ParameterValue(PointList(folds.places.begin(), end))));

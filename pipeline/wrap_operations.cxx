@@ -192,8 +192,8 @@ Results editResults(const vtkScanWrapEditFilter& filter)
     { "marks", count(report.Marks) },
     { "tetrahedra-change", count(edit.change.tetrahedra) },
     { "euler-change", count(edit.change.eulerCharacteristic()) },
-    { "triangles-gone", count(static_cast<std::int64_t>(edit.surface.gone.size())) },
-    { "triangles-new", count(static_cast<std::int64_t>(edit.surface.added.size())) },
+    { "triangles-gone", sizeOf(edit.surface.gone.size()) },
+    { "triangles-new", sizeOf(edit.surface.added.size()) },
     { "points-before", count(report.Before.pointsOnSurface) },
     { "points-on-surface", count(report.After.pointsOnSurface) },
     { "tetrahedra-kept", count(report.After.tetrahedraKept) },
@@ -263,7 +263,7 @@ Operation pushOperation()
     [](const vtkScanPushFilter& filter) -> Results
     {
       const PushReport& pushed = filter.GetPushReport();
-      return { { "blocks-removed", count(static_cast<std::int64_t>(pushed.blocks.size())) },
+      return { { "blocks-removed", sizeOf(pushed.blocks.size()) },
         { "doors-removed", count(pushed.doors) }, { "blocks", numbersOf(pushed.blocks) } };
     });
 }
@@ -278,7 +278,7 @@ Operation pullOperation()
     [](const vtkScanPullFilter& filter) -> Results
     {
       const PushReport& pulled = filter.GetPushReport();
-      return { { "blocks-added", count(static_cast<std::int64_t>(pulled.blocks.size())) },
+      return { { "blocks-added", sizeOf(pulled.blocks.size()) },
         { "blocks", numbersOf(pulled.blocks) } };
     });
 }
@@ -305,7 +305,7 @@ Operation shootOperation()
     },
     [](const vtkScanShootFilter& filter) -> Results
     {
-      return { { "blocks-removed", count(static_cast<std::int64_t>(filter.GetBlocks().size())) },
+      return { { "blocks-removed", sizeOf(filter.GetBlocks().size()) },
         { "blocks", numbersOf(filter.GetBlocks()) } };
     });
 }

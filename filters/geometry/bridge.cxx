@@ -207,7 +207,7 @@ BridgeResult bridge(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
   const BridgeOptions& options, Execution& execution)
 {
   execution.step("bridge", 0, 4);
-  requireFinitePoints(mesh);
+  requireFinitePoints(mesh.points);
   const std::vector<BoundaryLoop> loops = boundaryLoops(mesh, execution);
   const RimEdge from = nearestRimEdge(mesh, loops, inRegion, options.from);
   const RimEdge to = nearestRimEdge(mesh, loops, inRegion, options.to);

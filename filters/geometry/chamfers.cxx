@@ -4,6 +4,7 @@
 
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/local_plane.h"
+#include "filters/geometry/triangle_measures.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -32,9 +33,7 @@ public:
       {
         for (std::size_t t = begin; t < end; ++t)
         {
-          const auto& [a, b, c] = mesh.triangles[t];
-          const Vec3& p = mesh.points[a];
-          this->Normals[t] = unitVector(cross(mesh.points[b] - p, mesh.points[c] - p));
+          this->Normals[t] = normalOf(mesh.points, mesh.triangles[t]);
         }
       });
     this->findSmoothEdges(std::cos(angle));
@@ -64,21 +63,13 @@ private:
 
   void findSmoothEdges(double cosine)
   {
-    std::vector<std::uint8_t> isOdd(this->Pairs.mate.size(), 0); // no edge of a surface
-    for (const Index half : this->Pairs.crowded)
-    {
-      isOdd[half] = 1;
-    }
-    for (const Index half : this->Pairs.misoriented)
-    {
-      isOdd[half] = isOdd[this->Pairs.mate[half]] = 1;
-    }
+    this->IsOdd = oddHalves(this->Pairs);
     this->IsRough.assign(this->Mesh.points.size(), 0);
-    for (Index half = 0; half < isOdd.size(); ++half)
+    for (Index half = 0; half < this->IsOdd.size(); ++half)
     {
       const Index mate = this->Pairs.mate[half];
-      const bool isBoundary = mate == kNone && isOdd[half] == 0;
-      this->IsSmooth[half] = mate != kNone && isOdd[half] == 0 &&
+      const bool isBoundary = mate == kNone && this->IsOdd[half] == 0;
+      this->IsSmooth[half] = mate != kNone && this->IsOdd[half] == 0 &&
           dot(this->Normals[half / 3], this->Normals[mate / 3]) >= cosine
         ? 1
         : 0;
@@ -87,7 +78,6 @@ private:
         this->IsRough[this->from(half)] = this->IsRough[this->to(half)] = 1;
       }
     }
-    this->IsOdd = std::move(isOdd);
   }
 
   /// Of triangles by smooth edges; those with a point that is not rough are smooth parts.

@@ -3,11 +3,14 @@
 #include "filters/geometry/decimate.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/box_tree.h"
 #include "filters/geometry/collect.h"
+#include "filters/geometry/finite_points.h"
 #include "filters/geometry/hilbert_order.h"
 #include "filters/geometry/quadric_decimation.h"
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/surface_deviation.h"
+#include "filters/geometry/triangle_measures.h"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +33,7 @@ struct OrderedMesh
 {
   TriMesh mesh;
   std::vector<Index> pointNames;
+  std::vector<Index> numbers; ///< per input point its number here
   std::vector<Index> triangleNames;
   Vec3 origin; ///< of the new coordinates: sums of squares need small numbers
 };
@@ -54,17 +58,18 @@ OrderedMesh ordered(const TriMesh& mesh, Execution& execution)
   result.triangleNames.resize(mesh.triangles.size());
   std::iota(result.pointNames.begin(), result.pointNames.end(), Index{ 0 });
   std::iota(result.triangleNames.begin(), result.triangleNames.end(), Index{ 0 });
+  result.numbers = result.pointNames;
   result.mesh = mesh;
   result.origin = mesh.points.front();
   if (isScattered(mesh))
   {
     result.pointNames = hilbertOrder(mesh.points, execution);
-    std::vector<Index> number(mesh.points.size());
-    for (Index i = 0; i < number.size(); ++i)
+    for (Index i = 0; i < result.numbers.size(); ++i)
     {
-      number[result.pointNames[i]] = i;
+      result.numbers[result.pointNames[i]] = i;
       result.mesh.points[i] = mesh.points[result.pointNames[i]];
     }
+    const std::vector<Index>& number = result.numbers;
     std::vector<Index> first(mesh.triangles.size());
     std::ranges::transform(mesh.triangles, first.begin(),
       [&](const Triangle& t) {
@@ -179,23 +184,6 @@ std::vector<std::uint8_t> cornersOf(
     }
   }
   return isCorner;
-}
-
-std::array<Vec3, 3> placesOf(const TriMesh& mesh, Index triangle)
-{
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return { mesh.points[a], mesh.points[b], mesh.points[c] };
-}
-
-Box boxAround(const std::array<Vec3, 3>& places, double margin)
-{
-  const auto& [a, b, c] = places;
-  const Vec3 far{ margin, margin, margin };
-  const Vec3 low{ std::min({ a.x, b.x, c.x }), std::min({ a.y, b.y, c.y }),
-    std::min({ a.z, b.z, c.z }) };
-  const Vec3 high{ std::max({ a.x, b.x, c.x }), std::max({ a.y, b.y, c.y }),
-    std::max({ a.z, b.z, c.z }) };
-  return { low - far, high + far };
 }
 
 /// trianglesBeyond() of some triangles.
@@ -332,11 +320,6 @@ private:
       this->ResultFailed[edit.triangleOrigin[triangle]] = 1;
       this->markWrong(edit, triangle);
     }
-    std::vector<Index> number(this->Input.points.size());
-    for (Index point = 0; point < number.size(); ++point)
-    {
-      number[this->Ordered.pointNames[point]] = point;
-    }
     const TriangleTree tree(edit.mesh, this->Exec);
     this->InputFailed.assign(this->Input.triangles.size(), 0);
     for (const Index triangle :
@@ -345,7 +328,7 @@ private:
       this->InputFailed[triangle] = 1;
       for (const Index corner : this->Input.triangles[triangle])
       {
-        this->markWrong(this->nameOfSurvivor(run, number[corner]));
+        this->markWrong(this->nameOfSurvivor(run, this->Ordered.numbers[corner]));
       }
     }
     this->Checked = edit;
@@ -371,7 +354,7 @@ private:
     {
       Index& old = before[edit.triangleOrigin[t]];
       if (old != kNone && this->ResultFailed[edit.triangleOrigin[t]] == 0 &&
-        placesOf(this->Checked.mesh, old) == placesOf(edit.mesh, t))
+        cornerPlaces(this->Checked.mesh, old) == cornerPlaces(edit.mesh, t))
       {
         old = kNone;
       }
@@ -395,12 +378,15 @@ private:
       }
     }
     const TriangleTree goneTree(gone, this->Exec);
+    const double limit = this->Options.maxDeviation;
+    const Vec3 reach{ limit, limit, limit };
     changes.inputTriangles =
       collect<Index>(static_cast<Index>(this->Input.triangles.size()), this->Exec,
         [&](Index t, std::vector<Index>& found)
         {
+          const Box box = boxOf(this->Input, t);
           std::vector<Index> near;
-          goneTree.touching(boxAround(placesOf(this->Input, t), this->Options.maxDeviation), near);
+          goneTree.touching({ box.low - reach, box.high + reach }, near);
           if (!near.empty() || this->InputFailed[t] != 0)
           {
             found.push_back(t);
@@ -457,12 +443,7 @@ void requireDecimation(const TriMesh& mesh, const DecimateOptions& options)
       "say how far to go: a number of triangles, a share of them, or a largest deviation");
   }
   requireCorners(mesh);
-  const bool isFinite = std::ranges::all_of(mesh.points,
-    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
-  if (!isFinite)
-  {
-    throw Error(ErrorCode::badInput, "a point is not finite; remove it before decimating");
-  }
+  requireFinitePoints(mesh.points);
 }
 
 DecimateResult decimate(const TriMesh& mesh, const DecimateOptions& options, Execution& execution)

@@ -13,6 +13,7 @@
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/shells.h"
 #include "filters/geometry/spikes.h"
+#include "filters/geometry/triangle_measures.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -26,17 +27,6 @@ namespace scan
 {
 namespace
 {
-
-double areaOf(const TriMesh& mesh, const Triangle& t)
-{
-  const Vec3& a = mesh.points[t[0]];
-  return length(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2.0;
-}
-
-Vec3 middleOf(const TriMesh& mesh, const Triangle& t)
-{
-  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) * (1.0 / 3.0);
-}
 
 class DefectSearch
 {
@@ -106,7 +96,7 @@ void DefectSearch::addGroups(
   }
   for (auto& [root, group] : members)
   {
-    const Vec3 place = middleOf(this->Mesh, this->Mesh.triangles[group.front()]);
+    const Vec3 place = middleOf(this->Mesh.points, this->Mesh.triangles[group.front()]);
     this->add(kind, place, std::move(group));
   }
 }
@@ -219,7 +209,8 @@ void DefectSearch::findDegenerate()
   {
     if (isBad[t] != 0)
     {
-      this->add(DefectKind::degenerate, middleOf(this->Mesh, this->Mesh.triangles[t]), { t });
+      this->add(
+        DefectKind::degenerate, middleOf(this->Mesh.points, this->Mesh.triangles[t]), { t });
     }
   }
 }
@@ -244,7 +235,8 @@ void DefectSearch::findDuplicates()
     }
     if (!others.empty())
     {
-      this->add(DefectKind::duplicates, middleOf(this->Mesh, known[i].first), std::move(others));
+      this->add(
+        DefectKind::duplicates, middleOf(this->Mesh.points, known[i].first), std::move(others));
     }
     i = k;
   }
@@ -318,7 +310,7 @@ void DefectSearch::findSmallComponents()
     if (!isCollapsed(this->Mesh.triangles[t]))
     {
       ++triangles[pieces.root(t)];
-      area[pieces.root(t)] += areaOf(this->Mesh, this->Mesh.triangles[t]);
+      area[pieces.root(t)] += areaOf(this->Mesh.points, this->Mesh.triangles[t]);
     }
   }
   const double mostTriangles = this->Options.smallComponent * *std::ranges::max_element(triangles);
@@ -334,7 +326,7 @@ void DefectSearch::findSmallComponents()
   }
   for (auto& [root, members] : small)
   {
-    this->add(DefectKind::smallComponents, middleOf(this->Mesh, this->Mesh.triangles[root]),
+    this->add(DefectKind::smallComponents, middleOf(this->Mesh.points, this->Mesh.triangles[root]),
       std::move(members));
   }
 }

@@ -4,6 +4,7 @@
 
 #include "filters/base/error.h"
 #include "filters/geometry/delaunay_insertion.h"
+#include "filters/geometry/finite_points.h"
 #include "filters/geometry/hilbert_order.h"
 
 #include <algorithm>
@@ -258,8 +259,7 @@ bool isWhole(const DelaunayComplex& complex, Execution& execution)
         complex.mirror[other / 4][other % 4] == facet &&
         sortedVertices(other) == sortedVertices(facet));
   };
-  std::atomic<bool> isWhole = std::ranges::all_of(complex.points,
-    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+  std::atomic<bool> isWhole = std::ranges::all_of(complex.points, isFinite);
   const auto forEachTet = [&](const auto& holds)
   {
     execution.parallelFor(tets, kGrain,

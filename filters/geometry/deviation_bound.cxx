@@ -20,12 +20,6 @@ constexpr double kRoomUsed = 0.1; // of the goal: by what borders are moved out
 
 } // namespace
 
-CornerPlaces cornerPlaces(const TriMesh& mesh, Index triangle)
-{
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return { mesh.points[a], mesh.points[b], mesh.points[c] };
-}
-
 DeviationBounds DeviationBounder::bound(const CornerPlaces& triangle, Index nearest,
   double middleDistance, const DeviationBounds& known, double limit)
 {

@@ -4,6 +4,7 @@
 
 #include "filters/geometry/convex_piece.h"
 #include "filters/geometry/mesh.h"
+#include "filters/geometry/triangle_measures.h"
 #include "filters/geometry/triangle_tree.h"
 
 #include <array>
@@ -14,11 +15,6 @@
 
 namespace scan
 {
-
-/// The places of a triangle's corners.
-using CornerPlaces = std::array<Vec3, 3>;
-
-CornerPlaces cornerPlaces(const TriMesh& mesh, Index triangle);
 
 /// What is known of the distances of a triangle's points from a surface.
 struct DeviationBounds

@@ -290,7 +290,7 @@ FillHolesResult fillHoles(const TriMesh& mesh, std::span<const std::uint8_t> inR
   const FillHolesOptions& options, Execution& execution)
 {
   execution.step("fill", 0, 1);
-  requireFinitePoints(mesh);
+  requireFinitePoints(mesh.points);
   FillHolesResult result;
   HoleChoice choice = chooseHoles(mesh, inRegion, options, execution);
   result.holes = std::move(choice.holes);

@@ -7,18 +7,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
 
 namespace scan
 {
 
-/// Throws Error badInput for coordinates that are not finite.
-inline void requireFinitePoints(const TriMesh& mesh)
+inline bool isFinite(const Vec3& p)
 {
-  const auto isFinite = [](const Vec3& p)
-  { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
-  if (!std::ranges::all_of(mesh.points, isFinite))
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Throws Error badInput for coordinates that are not finite.
+inline void requireFinitePoints(std::span<const Vec3> points)
+{
+  const auto finite = static_cast<std::size_t>(std::ranges::count_if(points, isFinite));
+  if (finite < points.size())
   {
-    throw Error(ErrorCode::badInput, "the surface has points that are not finite; remove them");
+    throw Error(ErrorCode::badInput,
+      std::to_string(points.size() - finite) + " of " + std::to_string(points.size()) +
+        " points have coordinates that are not finite; remove them");
   }
 }
 

@@ -158,6 +158,20 @@ void requireCorners(const TriMesh& mesh)
   }
 }
 
+std::vector<std::uint8_t> oddHalves(const EdgePairs& pairs)
+{
+  std::vector<std::uint8_t> isOdd(pairs.mate.size(), 0);
+  for (const Index half : pairs.crowded)
+  {
+    isOdd[half] = 1;
+  }
+  for (const Index half : pairs.misoriented)
+  {
+    isOdd[half] = isOdd[pairs.mate[half]] = 1;
+  }
+  return isOdd;
+}
+
 EdgePairs pairEdges(const TriMesh& mesh, Execution& execution)
 {
   requireCorners(mesh);

@@ -5,6 +5,7 @@
 #include "filters/base/execution.h"
 #include "filters/geometry/mesh.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace scan
@@ -56,6 +57,10 @@ struct EdgePairs
   Index edges = 0;         ///< distinct edges
   Index boundaryEdges = 0; ///< edges with one triangle
 };
+
+/// Per half-edge 1 for those of edges that are no part of an oriented surface: with three triangles
+/// or more, or with two that are misoriented.
+std::vector<std::uint8_t> oddHalves(const EdgePairs& pairs);
 
 /// Finds the edges of a mesh in linear time; needs 12 bytes of result and 24 of scratch space a
 /// triangle. Throws as requireCorners().

@@ -4,6 +4,7 @@
 
 #include "filters/geometry/local_plane.h"
 #include "filters/geometry/patch_fairing.h"
+#include "filters/geometry/triangle_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,7 @@ double areaOf(const TriMesh& mesh)
   double area = 0.0;
   for (const Triangle& t : mesh.triangles)
   {
-    const Vec3& a = mesh.points[t[0]];
-    area += length(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2.0;
+    area += areaOf(mesh.points, t);
   }
   return area;
 }
@@ -73,13 +73,8 @@ HoledSurface::HoledSurface(const TriMesh& mesh, const std::vector<HolePolygon>& 
 
 Vec3 HoledSurface::normalOf(Index triangle) const
 {
-  if (triangle == kNone)
-  {
-    return {};
-  }
-  const Triangle& t = this->Mesh.triangles[triangle];
-  const Vec3& a = this->Mesh.points[t[0]];
-  return unitVector(cross(this->Mesh.points[t[1]] - a, this->Mesh.points[t[2]] - a));
+  return triangle == kNone ? Vec3{}
+                           : scan::normalOf(this->Mesh.points, this->Mesh.triangles[triangle]);
 }
 
 /// The mean length of the edges at a point.

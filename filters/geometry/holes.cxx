@@ -4,6 +4,7 @@
 
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/local_plane.h"
+#include "filters/geometry/triangle_measures.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -41,20 +42,11 @@ private:
 Boundary::Boundary(const TriMesh& mesh, const EdgePairs& pairs)
   : Mesh(mesh)
   , Pairs(pairs)
-  , IsCut(pairs.mate.size(), 0)
+  , IsCut(oddHalves(pairs))
   , Next(pairs.mate.size(), kNone)
   , IsDone(pairs.mate.size(), 0)
   , PlaceOf(mesh.points.size(), kNone)
 {
-  for (const Index half : pairs.crowded)
-  {
-    this->IsCut[half] = 1;
-  }
-  for (const Index half : pairs.misoriented)
-  {
-    this->IsCut[half] = 1;
-    this->IsCut[pairs.mate[half]] = 1;
-  }
   for (Index half = 0; half < pairs.mate.size(); ++half)
   {
     if (pairs.mate[half] == kNone && this->IsCut[half] == 0 &&
@@ -201,12 +193,6 @@ std::vector<BoundaryLoop> Boundary::loops()
   return loops;
 }
 
-double areaOf(const TriMesh& mesh, const Triangle& t)
-{
-  const Vec3& a = mesh.points[t[0]];
-  return length(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2.0;
-}
-
 void measurePieces(const TriMesh& mesh, const EdgePairs& pairs, std::vector<BoundaryLoop>& loops)
 {
   UnionFind pieces(mesh.triangles.size());
@@ -220,7 +206,7 @@ void measurePieces(const TriMesh& mesh, const EdgePairs& pairs, std::vector<Boun
   std::vector<double> area(mesh.triangles.size(), 0.0);
   for (Index t = 0; t < mesh.triangles.size(); ++t)
   {
-    area[pieces.root(t)] += areaOf(mesh, mesh.triangles[t]);
+    area[pieces.root(t)] += areaOf(mesh.points, mesh.triangles[t]);
   }
   std::vector<Index> longest(mesh.triangles.size(), kNone);
   for (Index i = 0; i < loops.size(); ++i)

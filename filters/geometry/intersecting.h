@@ -3,10 +3,13 @@
 #pragma once
 
 #include "filters/geometry/mend_surface.h"
+#include "filters/geometry/region_adjacency.h"
 #include "filters/geometry/self_intersections.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace scan
@@ -16,11 +19,15 @@ namespace scan
 inline std::vector<TrianglePair> activeIntersections(
   const MendSurface& surface, Execution& execution)
 {
-  std::vector<TrianglePair> pairs = selfIntersections(surface.mesh, execution);
-  std::erase_if(pairs,
-    [&](const TrianglePair& pair)
-    { return surface.isActive[pair[0]] == 0 && surface.isActive[pair[1]] == 0; });
-  return pairs;
+  std::vector<Index> active;
+  for (Index t = 0; t < surface.isActive.size(); ++t)
+  {
+    if (surface.isActive[t] != 0)
+    {
+      active.push_back(t);
+    }
+  }
+  return selfIntersections(surface.mesh, active, execution);
 }
 
 /// The triangles of pairs, each once, rising.
@@ -38,30 +45,15 @@ inline std::vector<Index> trianglesOf(const std::vector<TrianglePair>& pairs)
 
 /// Per triangle 1 for those that are at most so many rings from the chosen ones.
 inline std::vector<std::uint8_t> withRings(
-  const TriMesh& mesh, const std::vector<Index>& chosen, int rings)
+  const TriMesh& mesh, const std::vector<Index>& chosen, std::size_t rings, Execution& execution)
 {
   std::vector<std::uint8_t> isIn(mesh.triangles.size(), 0);
-  std::vector<std::uint8_t> isPointIn(mesh.points.size(), 0);
   for (const Index t : chosen)
   {
     isIn[t] = 1;
   }
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    for (std::size_t t = 0; t < isIn.size(); ++t)
-    {
-      if (isIn[t] != 0)
-      {
-        std::ranges::for_each(mesh.triangles[t], [&](Index point) { isPointIn[point] = 1; });
-      }
-    }
-    for (std::size_t t = 0; t < isIn.size(); ++t)
-    {
-      const auto& [a, b, c] = mesh.triangles[t];
-      isIn[t] = (isIn[t] | isPointIn[a] | isPointIn[b] | isPointIn[c]) != 0 ? 1 : 0;
-    }
-  }
-  return isIn;
+  return RegionAdjacency(mesh, RegionElements::triangles, execution)
+    .grow(std::move(isIn), rings, execution);
 }
 
 } // namespace scan

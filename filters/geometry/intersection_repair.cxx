@@ -15,7 +15,7 @@ namespace scan
 namespace
 {
 
-constexpr int kMostRings = 6;
+constexpr std::size_t kMostRings = 6;
 
 /// Exchanges patches that grow until nothing intersects; keeps the state with the fewest bad ones.
 Exchange refillGrowing(MendSurface& surface, double maxDeviation, Execution& execution)
@@ -25,14 +25,14 @@ Exchange refillGrowing(MendSurface& surface, double maxDeviation, Execution& exe
   std::size_t fewest = bad.size();
   Exchange sum;
   Exchange atBest;
-  for (int rings = 0; rings <= kMostRings && !bad.empty(); ++rings)
+  for (std::size_t rings = 0; rings <= kMostRings && !bad.empty(); ++rings)
   {
     if (!best)
     {
       best = surface;
     }
-    const Exchange exchange =
-      refillPatches(surface, withRings(surface.mesh, bad, rings), maxDeviation, execution);
+    const Exchange exchange = refillPatches(
+      surface, withRings(surface.mesh, bad, rings, execution), maxDeviation, execution);
     sum.removed += exchange.removed;
     sum.added += exchange.added;
     bad = trianglesOf(activeIntersections(surface, execution));

@@ -281,8 +281,8 @@ std::size_t relaxLocally(MendSurface& surface, double maxDeviation, Execution& e
   Before before;
   for (int rings = 1; rings <= kMostRings && !bad.empty(); ++rings)
   {
-    const std::vector<Index> movable =
-      movablePoints(mesh, withRings(mesh, bad, rings), isOnBoundary);
+    const std::vector<Index> movable = movablePoints(
+      mesh, withRings(mesh, bad, static_cast<std::size_t>(rings), execution), isOnBoundary);
     for (const Index point : movable)
     {
       before.emplace(point, mesh.points[point]);

@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr int kSpikePasses = 5;
-constexpr int kRingsAround = 2; // of a defect that is repaired alone
+constexpr std::size_t kRingsAround = 2; // of a defect that is repaired alone
 
 /// Leaves out defects without a chosen triangle.
 void keepChosen(DefectList& list, std::span<const std::uint8_t> isChosen)
@@ -134,7 +134,7 @@ ConsistentSurface Mender::consistentPart(const ConsistentOptions& options)
       active.push_back(t);
     }
   }
-  const std::vector<std::uint8_t> isIn = withRings(mesh, active, kRingsAround);
+  const std::vector<std::uint8_t> isIn = withRings(mesh, active, kRingsAround, this->Run);
   std::vector<std::uint8_t> isOutside(mesh.points.size(), 0);
   std::map<Index, Index> number;
   TriMesh part;

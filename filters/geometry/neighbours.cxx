@@ -3,6 +3,7 @@
 #include "filters/geometry/neighbours.h"
 
 #include "filters/base/error.h"
+#include "filters/geometry/finite_points.h"
 #include "filters/geometry/hilbert_order.h"
 
 #include <nanoflann.hpp>
@@ -18,19 +19,6 @@ namespace
 {
 
 constexpr std::size_t kLeafSize = 12;
-
-void refuseWhatIsNotFinite(std::span<const Vec3> points)
-{
-  const auto bad = std::ranges::count_if(points,
-    [](const Vec3& p)
-    { return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z); });
-  if (bad > 0)
-  {
-    throw Error(ErrorCode::badInput,
-      std::to_string(bad) + " of " + std::to_string(points.size()) +
-        " points have coordinates that are not finite; remove them");
-  }
-}
 
 /// What nanoflann asks for; gives up building a tree when the run is cancelled.
 struct Cloud
@@ -137,7 +125,7 @@ private:
 Neighbours::Neighbours(std::span<const Vec3> points, Execution& execution)
 {
   execution.step("neighbours", 0, 3);
-  refuseWhatIsNotFinite(points);
+  requireFinitePoints(points);
   this->Order = hilbertOrder(points, execution);
   execution.step("neighbours", 1, 3);
   for (Index i = 0; i < this->Order.size(); ++i)

@@ -4,6 +4,7 @@
 
 #include "filters/geometry/incidence.h"
 #include "filters/geometry/local_plane.h"
+#include "filters/geometry/triangle_measures.h"
 
 #include <Eigen/Cholesky>
 
@@ -17,21 +18,6 @@ namespace
 {
 
 constexpr double kPreference = 1e-2; // of a direction, against a weight of all triangles of 1
-
-Vec3 normalOf(const TriMesh& mesh, const Triangle& triangle)
-{
-  const auto& [a, b, c] = triangle;
-  return unitVector(cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]));
-}
-
-double angleAt(const TriMesh& mesh, const Triangle& triangle, Index point)
-{
-  const auto k = static_cast<std::size_t>(std::ranges::find(triangle, point) - triangle.begin());
-  const Vec3& corner = mesh.points[point];
-  const Vec3 ahead = unitVector(mesh.points[triangle[(k + 1) % 3]] - corner);
-  const Vec3 back = unitVector(mesh.points[triangle[(k + 2) % 3]] - corner);
-  return std::acos(std::clamp(dot(ahead, back), -1.0, 1.0));
-}
 
 using Vector = Eigen::Vector3d;
 
@@ -70,8 +56,11 @@ Vector offsetOf(const TriMesh& mesh, Index point, std::span<const Index> triangl
   Vector side = Vector::Zero();
   for (const Index t : triangles)
   {
-    const Vec3 normal = normalOf(mesh, mesh.triangles[t]);
-    const double weight = normal != Vec3{} ? angleAt(mesh, mesh.triangles[t], point) : 0.0;
+    const Triangle& triangle = mesh.triangles[t];
+    const auto corner =
+      static_cast<std::size_t>(std::ranges::find(triangle, point) - triangle.begin());
+    const Vec3 normal = normalOf(mesh.points, triangle);
+    const double weight = normal != Vec3{} ? angleAt(mesh.points, triangle, corner) : 0.0;
     const Vector n(normal.x, normal.y, normal.z);
     planes.matrix += weight * n * n.transpose();
     planes.sum += weight * n;

@@ -10,10 +10,12 @@
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/shells.h"
 #include "filters/geometry/spikes.h"
+#include "filters/geometry/triangle_measures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -47,7 +49,6 @@ private:
   std::vector<std::vector<Index>> patches(const std::vector<std::uint8_t>& inRegion) const;
   void refill(const std::vector<Index>& patch);
   Exchange addFillings(const std::vector<std::vector<Triangle>>& fillings);
-  Vec3 normalOf(Index triangle) const;
   EdgeSet takenAt(const std::vector<Index>& points, const std::vector<Index>& patch) const;
   std::optional<std::vector<Triangle>> span(
     const SpaceLoop& rim, const std::vector<Index>& patch, EdgeSet& taken);
@@ -108,13 +109,6 @@ bool Refill::isThere(const Triangle& triangle, const std::vector<Index>& patch) 
       std::ranges::sort(other);
       return other == sorted && !std::ranges::binary_search(patch, t);
     });
-}
-
-Vec3 Refill::normalOf(Index triangle) const
-{
-  const auto& [a, b, c] = this->Mesh.triangles[triangle];
-  const std::vector<Vec3>& at = this->Mesh.points;
-  return unitVector(cross(at[b] - at[a], at[c] - at[a]));
 }
 
 /// The edges that a filling must not use: those of the triangles that stay, and new ones.
@@ -246,7 +240,8 @@ void Refill::refill(const std::vector<Index>& patch)
       const Index mate = this->Mate[3 * patch[half / 3] + half % 3];
       rim.names.push_back(names[loop.points[i]]);
       rim.corners.push_back(part.points[loop.points[i]]);
-      rim.normals.push_back(mate == kNone ? Vec3{} : this->normalOf(mate / 3));
+      rim.normals.push_back(
+        mate == kNone ? Vec3{} : normalOf(this->Mesh.points, this->Mesh.triangles[mate / 3]));
     }
     const auto triangles = this->span(rim, patch, taken);
     if (!triangles)
@@ -305,7 +300,8 @@ Exchange Refill::fillHoles(double longest)
       const std::size_t behind = i == 0 ? loop.points.size() - 1 : i - 1;
       rim.names.push_back(loop.points[i]);
       rim.corners.push_back(this->Mesh.points[loop.points[i]]);
-      rim.normals.push_back(this->normalOf(loop.halves[behind] / 3));
+      rim.normals.push_back(
+        normalOf(this->Mesh.points, this->Mesh.triangles[loop.halves[behind] / 3]));
     }
     EdgeSet taken = this->takenAt(rim.names, {});
     auto filled = this->span(rim, {}, taken);
@@ -334,7 +330,9 @@ Exchange Refill::addFillings(const std::vector<std::vector<Triangle>>& fillings)
   std::vector<bool> isBad(fillings.size());
   if (!fillings.empty())
   {
-    for (const auto& [a, b] : selfIntersections(this->Mesh, this->Run))
+    std::vector<Index> added(fillingOf.size());
+    std::iota(added.begin(), added.end(), before);
+    for (const auto& [a, b] : selfIntersections(this->Mesh, added, this->Run))
     {
       for (const Index t : { a, b })
       {

@@ -5,6 +5,7 @@
 #include "filters/base/error.h"
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/feature_lines.h"
+#include "filters/geometry/finite_points.h"
 #include "filters/geometry/guided_filter.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/hilbert_order.h"
@@ -36,12 +37,7 @@ void requireWeights(const RelaxOptions& options)
 
 void requireUsablePoints(const TriMesh& mesh)
 {
-  const bool isFinite = std::ranges::all_of(mesh.points,
-    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
-  if (!isFinite)
-  {
-    throw Error(ErrorCode::badInput, "some points have no finite coordinates; remove them first");
-  }
+  requireFinitePoints(mesh.points);
   constexpr double kLargest = 1e70; // squares of areas are computed
   if (!(BoundingBox(mesh.points).diagonal() < kLargest))
   {

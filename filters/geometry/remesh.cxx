@@ -11,6 +11,8 @@
 #include "filters/geometry/replaced_triangles.h"
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/surface_deviation.h"
+#include "filters/geometry/triangle_measures.h"
+#include "filters/geometry/used_points.h"
 
 #include <algorithm>
 #include <array>
@@ -28,12 +30,6 @@ constexpr std::size_t kShorter = 4; // of these at most, to make edges shorter
 constexpr double kShorterBy = 0.7;
 constexpr std::size_t kMany = 20; // one of so many triangles is bad: the edges are too long
 constexpr double kMostTriangles = 5e7;
-
-double areaOf(const TriMesh& mesh, const Triangle& t)
-{
-  const Vec3& a = mesh.points[t[0]];
-  return length(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2.0;
-}
 
 /// How much each corner of a triangle counts at a place on it.
 std::array<double, 3> weightsAt(const TriMesh& mesh, const Triangle& t, const Vec3& place)
@@ -53,33 +49,6 @@ std::array<double, 3> weightsAt(const TriMesh& mesh, const Triangle& t, const Ve
   }
   std::ranges::for_each(weights, [&](double& weight) { weight /= sum; });
   return weights;
-}
-
-/// Keeps the points of triangles only. Returns what they were.
-std::vector<Index> dropUnusedPoints(TriMesh& mesh)
-{
-  std::vector<Index> numbers(mesh.points.size(), kNone);
-  for (const Triangle& t : mesh.triangles)
-  {
-    std::ranges::for_each(t, [&](Index point) { numbers[point] = 0; });
-  }
-  std::vector<Index> kept;
-  std::vector<Vec3> points;
-  for (Index i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] != kNone)
-    {
-      numbers[i] = static_cast<Index>(kept.size());
-      kept.push_back(i);
-      points.push_back(mesh.points[i]);
-    }
-  }
-  for (Triangle& t : mesh.triangles)
-  {
-    std::ranges::for_each(t, [&](Index& point) { point = numbers[point]; });
-  }
-  mesh.points.swap(points);
-  return kept;
 }
 
 /// A triangle's place in a try.
@@ -138,7 +107,7 @@ void Remesher::holdBackBadPlaces()
   for (Index t = 0; t < this->Mesh.triangles.size(); ++t)
   {
     if (isCollapsed(this->Mesh.triangles[t]) ||
-      !(areaOf(this->Mesh, this->Mesh.triangles[t]) > 0.0))
+      !(areaOf(this->Mesh.points, this->Mesh.triangles[t]) > 0.0))
     {
       bad.push_back(t);
     }
@@ -215,7 +184,7 @@ void Remesher::measureRegion()
       continue;
     }
     const Triangle& corners = this->Mesh.triangles[t];
-    area += areaOf(this->Mesh, corners);
+    area += areaOf(this->Mesh.points, corners);
     for (std::size_t k = 0; k < 3; ++k)
     {
       sum += length(this->Mesh.points[corners[(k + 1) % 3]] - this->Mesh.points[corners[k]]);
@@ -292,7 +261,7 @@ std::vector<Index> Remesher::badInputTriangles()
   }
   for (const Index t : fresh)
   {
-    if (!(areaOf(after, after.triangles[t]) > 0.0))
+    if (!(areaOf(after.points, after.triangles[t]) > 0.0))
     {
       bad.push_back(t);
     }
@@ -417,7 +386,7 @@ RemeshResult remesh(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
   const RemeshOptions& options, Execution& execution)
 {
   execution.step("remesh", 0, 1);
-  requireFinitePoints(mesh);
+  requireFinitePoints(mesh.points);
   if (mesh.triangles.empty())
   {
     return { unchanged(mesh) };

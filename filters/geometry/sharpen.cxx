@@ -7,6 +7,7 @@
 #include "filters/geometry/limited_move.h"
 #include "filters/geometry/local_plane.h"
 #include "filters/geometry/self_intersections.h"
+#include "filters/geometry/triangle_measures.h"
 
 #include <algorithm>
 #include <array>
@@ -22,12 +23,6 @@ namespace
 
 constexpr double kReach = 1.0;    // widths of a chamfer, or longest edges of a corner
 constexpr double kLeastDet = 0.1; // of three unit normals that meet in a corner
-
-Vec3 areaVector(const TriMesh& mesh, const Triangle& triangle)
-{
-  const auto& [a, b, c] = triangle;
-  return cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
-}
 
 /// A mesh, its chamfers and the edges that are to be cut.
 class Sharpener
@@ -281,8 +276,8 @@ std::vector<Index> failures(const TriMesh& mesh, const SharpenResult& result,
   const std::vector<Index>& origin = result.edit.triangleOrigin;
   for (std::size_t i = 0; i < origin.size(); ++i)
   {
-    const Vec3 before = areaVector(mesh, mesh.triangles[origin[i]]);
-    const Vec3 piece = areaVector(result.edit.mesh, result.edit.mesh.triangles[i]);
+    const Vec3 before = areaVector(mesh.points, mesh.triangles[origin[i]]);
+    const Vec3 piece = areaVector(result.edit.mesh.points, result.edit.mesh.triangles[i]);
     if (sharpener.isCut(origin[i]) && !(dot(before, piece) > 0.0))
     {
       failed.push_back(origin[i]);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/spacing.h"
 
+#include "filters/geometry/finite_points.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,8 +28,7 @@ std::vector<Vec3> distinctPoints(std::span<const Vec3> points)
 {
   std::vector<Vec3> distinct;
   distinct.reserve(points.size());
-  std::copy_if(points.begin(), points.end(), std::back_inserter(distinct),
-    [](const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+  std::copy_if(points.begin(), points.end(), std::back_inserter(distinct), isFinite);
   std::sort(distinct.begin(), distinct.end(),
     [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());

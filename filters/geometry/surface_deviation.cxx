@@ -6,6 +6,7 @@
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/deviation_bound.h"
+#include "filters/geometry/finite_points.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/hilbert_order.h"
 #include "filters/geometry/local_plane.h"
@@ -54,8 +55,7 @@ void requireSurfaces(const TriMesh& from, const TriangleTree& to)
   {
     for (const Index corner : triangle)
     {
-      const Vec3& p = from.points[corner];
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      if (!isFinite(from.points[corner]))
       {
         throw Error(ErrorCode::badInput,
           "point " + std::to_string(corner) + " is not finite; mend the surface first");

@@ -5,6 +5,7 @@
 #include "filters/geometry/incidence.h"
 #include "filters/geometry/local_plane.h"
 #include "filters/geometry/self_intersections.h"
+#include "filters/geometry/triangle_measures.h"
 #include "filters/geometry/union_find.h"
 
 #include <algorithm>
@@ -16,19 +17,6 @@ namespace
 {
 
 constexpr double kNothing = 1e-3; // of an area
-
-/// Along the normal, as long as twice the area.
-Vec3 areaVector(std::span<const Vec3> points, const Triangle& triangle)
-{
-  const auto& [a, b, c] = triangle;
-  return cross(points[b] - points[a], points[c] - points[a]);
-}
-
-Vec3 middleOf(const TriMesh& mesh, Index t)
-{
-  const auto& [a, b, c] = mesh.triangles[t];
-  return (mesh.points[a] + mesh.points[b] + mesh.points[c]) * (1.0 / 3.0);
-}
 
 /// More than a quarter turn, in space or in its plane: past the centre of a sphere triangles face
 /// as before, point by point opposite.
@@ -87,19 +75,19 @@ std::vector<TrianglePair> findCrossings(
 /// The folded triangle of a group that is nearest to the middle of all of them.
 Vec3 placeOf(const TriMesh& mesh, std::span<const Index> group)
 {
-  const Vec3 origin = middleOf(mesh, group.front());
+  const Vec3 origin = middleOf(mesh.points, mesh.triangles[group.front()]);
   Vec3 sum;
   for (const Index t : group)
   {
-    sum = sum + (middleOf(mesh, t) - origin);
+    sum = sum + (middleOf(mesh.points, mesh.triangles[t]) - origin);
   }
   const Vec3 mean = origin + sum * (1.0 / static_cast<double>(group.size()));
   const auto distance = [&](Index t)
   {
-    const Vec3 d = middleOf(mesh, t) - mean;
+    const Vec3 d = middleOf(mesh.points, mesh.triangles[t]) - mean;
     return dot(d, d);
   };
-  return middleOf(mesh, *std::ranges::min_element(group, {}, distance));
+  return middleOf(mesh.points, mesh.triangles[*std::ranges::min_element(group, {}, distance)]);
 }
 
 /// Folded triangles hang together where they share a point or cross.

@@ -8,6 +8,7 @@
 #include "filters/geometry/local_plane.h"
 #include "filters/geometry/mesh_split.h"
 #include "filters/geometry/offset_vectors.h"
+#include "filters/geometry/used_points.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,32 +28,6 @@ struct Patch
   std::vector<Index> triangleOrigin; // of the input
 };
 
-/// Only the points that triangles use, in their order, with their origins.
-void dropUnusedPoints(TriMesh& mesh, std::vector<Index>& origin)
-{
-  std::vector<Index> place(mesh.points.size(), kNone);
-  for (const Triangle& triangle : mesh.triangles)
-  {
-    std::ranges::for_each(triangle, [&](Index point) { place[point] = 0; });
-  }
-  Index used = 0;
-  for (std::size_t i = 0; i < place.size(); ++i)
-  {
-    if (place[i] != kNone)
-    {
-      mesh.points[used] = mesh.points[i];
-      origin[used] = origin[i];
-      place[i] = used++;
-    }
-  }
-  mesh.points.resize(used);
-  origin.resize(used);
-  for (Triangle& triangle : mesh.triangles)
-  {
-    std::ranges::for_each(triangle, [&](Index& point) { point = place[point]; });
-  }
-}
-
 /// The part of a surface that comes from the triangles of the region.
 Patch patchOf(
   ConsistentSurface surface, std::span<const std::uint8_t> inRegion, Execution& execution)
@@ -67,11 +42,11 @@ Patch patchOf(
       patch.triangleOrigin.push_back(surface.triangleOrigin[t]);
     }
   }
-  dropUnusedPoints(mesh, surface.pointOrigin);
+  const std::vector<Index> kept = dropUnusedPoints(mesh);
   SplitResult split = splitNonManifold(std::move(mesh), execution); // a part may touch itself
   for (const Index point : split.pointOrigin)
   {
-    patch.pointOrigin.push_back(surface.pointOrigin[point]);
+    patch.pointOrigin.push_back(surface.pointOrigin[kept[point]]);
   }
   patch.mesh = std::move(split.mesh);
   patch.mate = std::move(split.mate);

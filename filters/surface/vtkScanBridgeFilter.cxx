@@ -25,7 +25,7 @@ scan::SurfaceEdit vtkScanBridgeFilter::Edit(const Surface& surface, scan::Execut
   }
   scan::BridgeOptions options = this->Options;
   options.maxDeviation = surface.maxDeviation;
-  const std::vector<std::uint8_t> inRegion = this->PointsInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->PointsInRegion(surface, execution);
   this->Result = scan::bridge(surface.mesh, inRegion, options, execution);
   return std::exchange(this->Result.edit, {});
 }

@@ -30,7 +30,7 @@ std::size_t vtkScanDecimateFilter::TargetOf(std::size_t inRegion) const
 
 scan::SurfaceEdit vtkScanDecimateFilter::Edit(const Surface& surface, scan::Execution& execution)
 {
-  const std::vector<std::uint8_t> isInRegion = this->TrianglesInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> isInRegion = this->TrianglesInRegion(surface, execution);
   const auto inRegion = static_cast<std::size_t>(std::ranges::count(isInRegion, 1));
   scan::DecimateOptions options = this->Options;
   options.maxDeviation = surface.maxDeviation;

@@ -70,7 +70,7 @@ scan::SurfaceEdit vtkScanFillHolesFilter::Edit(const Surface& surface, scan::Exe
   scan::FillHolesOptions options = this->Options;
   options.maxPerimeter = InModelUnits(this->MaxPerimeter, surface);
   options.maxDeviation = surface.maxDeviation;
-  const std::vector<std::uint8_t> inRegion = this->PointsInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->PointsInRegion(surface, execution);
   this->Result = scan::fillHoles(surface.mesh, inRegion, options, execution);
   const auto flatter = std::ranges::count_if(this->Result.holes,
     [&](const scan::Hole& hole)

@@ -58,7 +58,7 @@ scan::SurfaceEdit vtkScanMendFilter::Edit(const Surface& surface, scan::Executio
   options.defects.leastHeight = InModelUnits(this->LeastHeight, surface);
   options.defects.smallHole = InModelUnits(this->SmallHole, surface);
   options.maxDeviation = surface.maxDeviation;
-  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface, execution);
   this->Result = scan::mend(surface.mesh, inRegion, options, execution);
   if (this->Mark)
   {

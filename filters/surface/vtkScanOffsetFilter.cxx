@@ -20,8 +20,8 @@ scan::SurfaceEdit vtkScanOffsetFilter::Edit(const Surface& surface, scan::Execut
 {
   this->Options.distance = InModelUnits(this->Distance, surface);
   this->Options.maxDeviation = surface.maxDeviation;
-  this->Result = scan::offset(
-    surface.mesh, this->PointsInRegion(surface.data, execution), this->Options, execution);
+  this->Result =
+    scan::offset(surface.mesh, this->PointsInRegion(surface, execution), this->Options, execution);
   this->AddNote(scan::describe(this->Result.folds));
   return std::exchange(this->Result.edit, {});
 }

@@ -17,7 +17,7 @@ std::vector<scan::Phase> vtkScanOrientFilter::Phases() const
 
 scan::SurfaceEdit vtkScanOrientFilter::Edit(const Surface& surface, scan::Execution& execution)
 {
-  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface, execution);
   this->Result = scan::orientSurface(surface.mesh, inRegion, this->Options, execution);
   if (this->Result.disagreeingPieces > 0)
   {

@@ -3,7 +3,6 @@
 #include "filters/surface/vtkScanRefineFilter.h"
 
 #include "filters/base/vtkScanArrayNames.h"
-#include "filters/base/vtkScanMeshBridge.h"
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -20,7 +19,7 @@ namespace
 {
 
 /// The marks of the triangles; none where the array is missing or of another kind.
-std::vector<std::uint8_t> halvesOf(vtkPolyData& data)
+std::vector<std::uint8_t> halvesOf(vtkPolyData& data, const std::vector<vtkIdType>& cells)
 {
   auto* const array = vtkArrayDownCast<vtkUnsignedCharArray>(
     data.GetCellData()->GetAbstractArray(scan::arrays::kHalf));
@@ -29,8 +28,6 @@ std::vector<std::uint8_t> halvesOf(vtkPolyData& data)
   {
     return halves;
   }
-  std::vector<vtkIdType> cells;
-  scan::bridge::meshOf(data, &cells);
   halves.resize(cells.size());
   std::ranges::transform(
     cells, halves.begin(), [array](vtkIdType cell) { return array->GetValue(cell); });
@@ -46,10 +43,11 @@ std::vector<scan::Phase> vtkScanRefineFilter::Phases() const
 
 scan::SurfaceEdit vtkScanRefineFilter::Edit(const Surface& surface, scan::Execution& execution)
 {
-  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface, execution);
   scan::RefineOptions options = this->Options;
   options.maxDeviation = surface.maxDeviation;
-  this->Result = scan::refine(surface.mesh, inRegion, halvesOf(surface.data), options, execution);
+  this->Result =
+    scan::refine(surface.mesh, inRegion, halvesOf(surface.data, surface.cells), options, execution);
   scan::SurfaceEdit edit = std::exchange(this->Result.edit, {});
   this->PointsAdded = static_cast<vtkIdType>(edit.blends.size());
   return edit;

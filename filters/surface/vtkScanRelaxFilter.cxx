@@ -21,7 +21,7 @@ scan::SurfaceEdit vtkScanRelaxFilter::Edit(const Surface& surface, scan::Executi
   this->Result = {};
   scan::RelaxOptions options = this->Options;
   options.maxDeviation = surface.maxDeviation;
-  const std::vector<std::uint8_t> inRegion = this->PointsInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->PointsInRegion(surface, execution);
   this->Result = scan::relax(surface.mesh, inRegion, options, execution);
   scan::TriMesh moved{ std::move(this->Result.points), surface.mesh.triangles };
   this->Result.points = {};

@@ -20,7 +20,7 @@ scan::SurfaceEdit vtkScanRemeshFilter::Edit(const Surface& surface, scan::Execut
   scan::RemeshOptions options = this->Options;
   options.edgeLength = InModelUnits(this->EdgeLength, surface);
   options.maxDeviation = surface.maxDeviation;
-  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface.data, execution);
+  const std::vector<std::uint8_t> inRegion = this->TrianglesInRegion(surface, execution);
   this->Result = scan::remesh(surface.mesh, inRegion, options, execution);
   if (this->Result.heldBack > 0)
   {

@@ -18,6 +18,6 @@ scan::SurfaceEdit vtkScanSharpenFilter::Edit(const Surface& surface, scan::Execu
 {
   this->Options.maxDeviation = surface.maxDeviation;
   this->Result = scan::sharpen(
-    surface.mesh, this->TrianglesInRegion(surface.data, execution), this->Options, execution);
+    surface.mesh, this->TrianglesInRegion(surface, execution), this->Options, execution);
   return std::exchange(this->Result.edit, {});
 }

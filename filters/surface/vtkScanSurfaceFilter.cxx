@@ -38,6 +38,20 @@ bool isSame(const scan::TriMesh& a, const scan::TriMesh& b)
 
 } // namespace
 
+std::vector<std::uint8_t> vtkScanSurfaceFilter::PointsInRegion(
+  const Surface& surface, scan::Execution& execution) const
+{
+  return this->GetRegion().empty() ? std::vector<std::uint8_t>(surface.mesh.points.size(), 1)
+                                   : this->Superclass::PointsInRegion(surface.data, execution);
+}
+
+std::vector<std::uint8_t> vtkScanSurfaceFilter::TrianglesInRegion(
+  const Surface& surface, scan::Execution& execution) const
+{
+  return this->GetRegion().empty() ? std::vector<std::uint8_t>(surface.mesh.triangles.size(), 1)
+                                   : this->Superclass::TrianglesInRegion(surface.data, execution);
+}
+
 double vtkScanSurfaceFilter::InModelUnits(const scan::Length& length, const Surface& surface)
 {
   return scan::inModelUnitsOrZero(length, surface.mesh.points, scan::bridge::unitOf(surface.data));
@@ -65,7 +79,7 @@ void vtkScanSurfaceFilter::Run(vtkPolyData& input, vtkPolyData& output, scan::Ex
   {
     throw scan::Error(scan::ErrorCode::badInput, "there is no surface yet; wrap the points first");
   }
-  Surface surface{ mesh, input, std::numeric_limits<double>::infinity() };
+  Surface surface{ mesh, cells, input, std::numeric_limits<double>::infinity() };
   if (this->MaxDeviation.value() > 0.0)
   {
     surface.maxDeviation = InModelUnits(this->MaxDeviation, surface);

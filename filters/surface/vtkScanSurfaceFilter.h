@@ -52,9 +52,16 @@ protected:
   struct Surface
   {
     const scan::TriMesh& mesh;
-    vtkPolyData& data;   ///< for PointsInRegion() and TrianglesInRegion()
+    const std::vector<vtkIdType>& cells; ///< of the triangles, see scan::bridge::meshOf()
+    vtkPolyData& data;
     double maxDeviation; ///< in model units; infinity: no limit
   };
+
+  /// As of the superclass, at once where there is no region.
+  std::vector<std::uint8_t> PointsInRegion(
+    const Surface& surface, scan::Execution& execution) const;
+  std::vector<std::uint8_t> TrianglesInRegion(
+    const Surface& surface, scan::Execution& execution) const;
 
   /// The phases that Edit() reports, with weights of about seconds for a million triangles.
   virtual std::vector<scan::Phase> Phases() const = 0;

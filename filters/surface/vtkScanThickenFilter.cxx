@@ -21,7 +21,7 @@ scan::SurfaceEdit vtkScanThickenFilter::Edit(const Surface& surface, scan::Execu
   this->Options.thickness = InModelUnits(this->Thickness, surface);
   this->Options.maxDeviation = surface.maxDeviation;
   this->Result = scan::thicken(
-    surface.mesh, this->TrianglesInRegion(surface.data, execution), this->Options, execution);
+    surface.mesh, this->TrianglesInRegion(surface, execution), this->Options, execution);
   this->AddNote(scan::describe(this->Result.changes));
   this->AddNote(scan::describe(this->Result.folds));
   return std::exchange(this->Result.edit, {});

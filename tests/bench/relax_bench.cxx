@@ -8,10 +8,9 @@
 
 #include "filters/geometry/relax.h"
 #include "tests/bench/knot_scan.h"
+#include "tests/bench/vtk_surface.h"
 
-#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
@@ -47,23 +46,6 @@ struct Best
   }
 };
 
-void fill(vtkPolyData& data, const TriMesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& p : mesh.points)
-  {
-    points->InsertNextPoint(p.x, p.y, p.z);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    triangles->InsertNextCell({ a, b, c });
-  }
-  data.SetPoints(points);
-  data.SetPolys(triangles);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -71,8 +53,7 @@ int main(int argc, char** argv)
   const int runs = argc > 1 ? std::atoi(argv[1]) : 5;
   const TriMesh mesh = bench::knotSurface(2000, 250);
   const std::vector<std::uint8_t> everywhere(mesh.points.size(), 1);
-  vtkNew<vtkPolyData> data;
-  fill(*data, mesh);
+  const vtkNew<vtkPolyData> data = bench::vtkSurface(mesh);
   Best vtk;
   Best one;
   Best two;

@@ -14,6 +14,7 @@
 #include "filters/geometry/triangle_tree.h"
 #include "pipeline/peak_memory.h"
 #include "tests/bench/knot_scan.h"
+#include "tests/bench/vtk_surface.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -23,10 +24,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <tbb/global_control.h>
-#include <vtkCellArray.h>
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
 
@@ -122,25 +121,6 @@ Surface cgalSurface(const TriMesh& mesh)
   return surface;
 }
 
-vtkNew<vtkPolyData> vtkSurface(const TriMesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& p : mesh.points)
-  {
-    points->InsertNextPoint(p.x, p.y, p.z);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    triangles->InsertNextCell({ a, b, c });
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  return surface;
-}
-
 std::string meanOf(double sum, std::size_t count)
 {
   return "mean " + std::to_string(sum / static_cast<double>(count));
@@ -195,7 +175,7 @@ void compareNearest(const Task& task)
       }
       return meanOf(sum, points.size());
     });
-  const vtkNew<vtkPolyData> surface = vtkSurface(mesh);
+  const vtkNew<vtkPolyData> surface = bench::vtkSurface(mesh);
   measure(task, "vtkStaticCellLocator",
     [&]
     {

@@ -5,12 +5,9 @@
 #include "filters/geometry/mesh_checks.h"
 #include "filters/geometry/orient_outward.h"
 #include "filters/geometry/surface_edit.h"
+#include "tests/geometry/cgal_checks.h"
 #include "tests/geometry/damage.h"
 #include "tests/geometry/mesh_corpus.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +16,7 @@
 #include <limits>
 
 using namespace scan;
+using scan::test::intersectsItself;
 
 namespace
 {
@@ -37,24 +35,6 @@ MendOptions usual(double edge)
   options.defects.leastHeight = 1e-6;
   options.defects.smallHole = 10.0 * edge;
   return options;
-}
-
-/// By another program.
-bool intersectsItself(const TriMesh& mesh)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  CGAL::Surface_mesh<Kernel::Point_3> other;
-  std::vector<CGAL::SM_Vertex_index> vertices;
-  for (const Vec3& p : mesh.points)
-  {
-    vertices.push_back(other.add_vertex({ p.x, p.y, p.z }));
-  }
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    EXPECT_NE(other.add_face(vertices[a], vertices[b], vertices[c]),
-      CGAL::Surface_mesh<Kernel::Point_3>::null_face());
-  }
-  return CGAL::Polygon_mesh_processing::does_self_intersect(other);
 }
 
 /// What the header promises whatever is left.

@@ -3,14 +3,11 @@
 #include "filters/base/vtkScanMeshBridge.h"
 #include "filters/geometry/mend.h"
 #include "filters/geometry/mesh_checks.h"
+#include "tests/geometry/cgal_checks.h"
 #include "tests/geometry/damage.h"
 #include "tests/pipeline/document_fixtures.h"
 
 #include <vtkPolyData.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +18,7 @@
 #include <vector>
 
 using namespace scan;
+using scan::test::intersectsItself;
 
 namespace
 {
@@ -38,26 +36,6 @@ TriMesh surfaceOf(const std::filesystem::path& file)
   const auto result = document.result(document.current(), {});
   auto* const data = vtkPolyData::SafeDownCast(result);
   return data != nullptr && bridge::hasTriangles(*data) ? bridge::meshOf(*data) : TriMesh{};
-}
-
-/// By another program than the one that mends.
-bool intersectsItself(const TriMesh& mesh)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  CGAL::Surface_mesh<Kernel::Point_3> other;
-  std::vector<CGAL::SM_Vertex_index> vertices;
-  for (const Vec3& p : mesh.points)
-  {
-    vertices.push_back(other.add_vertex({ p.x, p.y, p.z }));
-  }
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    if (other.add_face(vertices[a], vertices[b], vertices[c]) == other.null_face())
-    {
-      ADD_FAILURE() << "no manifold";
-    }
-  }
-  return CGAL::Polygon_mesh_processing::does_self_intersect(other);
 }
 
 std::string textOf(const DefectList& list)
