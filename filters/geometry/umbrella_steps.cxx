@@ -5,6 +5,7 @@
 #include "filters/geometry/bounding_box.h"
 #include "filters/geometry/float4.h"
 #include "filters/geometry/limited_move.h"
+#include "filters/geometry/smooth_normals.h"
 
 #include <cmath>
 
@@ -14,8 +15,8 @@ namespace
 {
 
 constexpr std::size_t kGrain = 16384;
-constexpr int kNormalRounds = 5;       // rings of neighbours, about, that a normal is the mean of
-constexpr std::size_t kFirstBends = 5; // pairs after which normals are computed anew, then doubling
+constexpr std::size_t kFirstBends =
+  10; // pairs after which normals are computed anew; then eight times
 
 /// Displacements of points, in units of the size of the whole.
 class Displacements
@@ -32,8 +33,6 @@ private:
   template <bool isHeldBack>
   void stepRange(float weight, std::size_t begin, std::size_t end);
   Float4 heldBack(const Float4& displacement, std::size_t point) const;
-  Float4 areaVector(std::size_t point) const;
-  void spreadNormals(Execution& execution);
   Float4 bend(std::size_t point) const;
 
   const UmbrellaSurface& Surface;
@@ -48,7 +47,7 @@ private:
   LargeArray<Float4> Now;
   LargeArray<Float4> Next;
   LargeArray<Float4> Places;
-  LargeArray<Float4> Normals;
+  SmoothNormals Normals;
 };
 
 Displacements::Displacements(const UmbrellaSurface& surface, double limit, Execution& execution)
@@ -62,7 +61,8 @@ Displacements::Displacements(const UmbrellaSurface& surface, double limit, Execu
   , Now(this->Count)
   , Next(this->Count)
   , Places(this->Count)
-  , Normals(this->Count)
+  , Normals({ surface.mesh.triangles, surface.triangles, surface.neighbours, surface.isSharp },
+      this->Count)
 {
   const std::vector<Vec3>& points = surface.mesh.points;
   const double size = BoundingBox(points).diagonal();
@@ -91,66 +91,15 @@ Displacements::Displacements(const UmbrellaSurface& surface, double limit, Execu
     });
 }
 
-/// The sum of the vectors of the triangles at a point: of the length of their area, twice.
-Float4 Displacements::areaVector(std::size_t point) const
-{
-  Float4 sum;
-  if (this->Surface.isSharp[point] == 0)
-  {
-    for (const Index t : this->Surface.triangles.of(point))
-    {
-      const auto& [a, b, c] = this->Surface.mesh.triangles[t];
-      sum = sum + cross(this->Places[b] - this->Places[a], this->Places[c] - this->Places[a]);
-    }
-  }
-  return sum;
-}
-
-/// Adds to every vector the mean of the neighbours', then makes unit vectors of them. As vectors of
-/// areas they depend on little more than the rim of the neighbourhood: noise inside cancels out.
-void Displacements::spreadNormals(Execution& execution)
-{
-  for (int round = 0; round < kNormalRounds; ++round)
-  {
-    execution.parallelFor(this->Count, kGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const auto near = this->Neighbours.of(i);
-          Float4 sum;
-          for (const Index other : near)
-          {
-            sum = sum + this->Normals[other];
-          }
-          const bool isAlone = near.empty() || this->Surface.isSharp[i] != 0;
-          this->Next[i] = isAlone
-            ? this->Normals[i]
-            : this->Normals[i] + sum * (1.0F / static_cast<float>(near.size()));
-        }
-      });
-    this->Normals.swap(this->Next);
-  }
-  execution.parallelFor(this->Count, kGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const float size = std::sqrt(dot(this->Normals[i], this->Normals[i]));
-        this->Normals[i] = size > 0.0F ? this->Normals[i] * (1.0F / size) : Float4{};
-      }
-    });
-}
-
 /// How far the mean of the neighbours is from where it would be if the surface were flat.
 Float4 Displacements::bend(std::size_t point) const
 {
-  const Float4 normal = this->Normals[point];
+  const Float4 normal = this->Normals.of(point);
   const auto near = this->Neighbours.of(point);
   float sum = 0.0F;
   for (const Index other : near)
   {
-    const Float4& there = this->Normals[other];
+    const Float4& there = this->Normals.of(other);
     if (dot(normal, there) > 0.0F) // beyond a right angle nothing is known
     {
       sum += dot(this->Places[other] - this->Places[point], normal - there);
@@ -175,8 +124,7 @@ void Displacements::straighten(Execution& execution)
   };
   forAll([&](std::size_t i)
     { this->Places[i] = narrowed(points[i] - points[0], this->Scale) + this->Now[i]; });
-  forAll([&](std::size_t i) { this->Normals[i] = this->areaVector(i); });
-  this->spreadNormals(execution);
+  this->Normals.compute(this->Places, execution);
   forAll([&](std::size_t i) { this->Pull[i] = this->Mean[i] - this->bend(i); });
 }
 
@@ -262,7 +210,7 @@ std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSt
     if (pair == straightened)
     {
       displacements.straighten(execution);
-      straightened = std::max(kFirstBends, 4 * pair);
+      straightened = std::max(kFirstBends, 8 * pair);
     }
     displacements.step(steps.lambda, false, execution);
     displacements.step(steps.mu, isLimited, execution);

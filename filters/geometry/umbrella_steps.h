@@ -39,8 +39,8 @@ struct UmbrellaSurface
 /// On a curved surface the mean of the neighbours is below the surface, the farther the longer the
 /// edges: on triangles of many sizes that would dent and swell it by as much as the noise. So a
 /// neighbour counts as it were if the surface were flat: without the part of its height that the
-/// turn of the normal explains, half of it times the edge, exact for arcs. Normals are those of a
-/// wide neighbourhood, computed anew while the points move.
+/// turn of the normal explains, half of it times the edge, exact for arcs. Normals are
+/// SmoothNormals, computed anew while the points move.
 ///
 /// Exact to about 1e-7 of the movement, as displacements are single-precision numbers, not places.
 std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSteps& steps,
