@@ -72,4 +72,18 @@ private:
   double Fraction = 0.0;
 };
 
+/// Calls body(i) for every i below n, under the terms of parallelFor().
+template <class Body>
+void parallelForEach(Execution& execution, std::size_t n, std::size_t grain, const Body& body)
+{
+  execution.parallelFor(n, grain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        body(i);
+      }
+    });
+}
+
 } // namespace scan

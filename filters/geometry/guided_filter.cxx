@@ -56,14 +56,7 @@ private:
   template <class Body>
   void forAll(Body&& body)
   {
-    this->Run.parallelFor(this->Triangles.size(), kGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t t = begin; t < end; ++t)
-        {
-          body(t);
-        }
-      });
+    parallelForEach(this->Run, this->Triangles.size(), kGrain, body);
   }
 
   const std::vector<Triangle>& Triangles;
@@ -177,14 +170,8 @@ GuidedResult guidedFilter(const TriMesh& mesh, const PointLists& trianglesOfPoin
     faces.mix(options.angle);
     for (int move = 0; move < kMoves; ++move)
     {
-      execution.parallelFor(next.size(), kGrain,
-        [&](std::size_t begin, std::size_t end)
-        {
-          for (std::size_t i = begin; i < end; ++i)
-          {
-            next[i] = movePoint(i);
-          }
-        });
+      parallelForEach(
+        execution, next.size(), kGrain, [&](std::size_t i) { next[i] = movePoint(i); });
       result.points.swap(next);
     }
   }

@@ -78,12 +78,12 @@ private:
 
 } // namespace
 
-SmoothNormals::SmoothNormals(const NormalSurface& surface, std::size_t points)
+SmoothNormals::SmoothNormals(const NormalSurface& surface)
   : Surface(surface)
-  , Count(points)
-  , Means(points)
-  , Next(points)
-  , Normals(points)
+  , Count(surface.isSharp.size())
+  , Means(this->Count)
+  , Next(this->Count)
+  , Normals(this->Count)
 {
 }
 
@@ -106,27 +106,24 @@ Float4 SmoothNormals::areaVector(const LargeArray<Float4>& places, std::size_t p
 void SmoothNormals::average(Execution& execution)
 {
   constexpr int kRounds = 7;
-  constexpr float kOwn = 0.25F; // without, points that take turns would not be mixed
+  constexpr float kOwn = 0.25F; // without it even and odd rounds would see different points
   for (int round = 0; round < kRounds; ++round)
   {
-    execution.parallelFor(this->Count, kGrain,
-      [&](std::size_t begin, std::size_t end)
+    parallelForEach(execution, this->Count, kGrain,
+      [&](std::size_t i)
       {
-        for (std::size_t i = begin; i < end; ++i)
+        const auto near = this->Surface.neighbours.of(i);
+        Mean sum;
+        for (const Index other : near)
         {
-          const auto near = this->Surface.neighbours.of(i);
-          Mean sum;
-          for (const Index other : near)
-          {
-            sum.area = sum.area + this->Means[other].area;
-            sum.place = sum.place + this->Means[other].place;
-          }
-          const bool isAlone = near.empty() || this->Surface.isSharp[i] != 0;
-          const float share = isAlone ? 0.0F : 1.0F / static_cast<float>(near.size());
-          const float own = isAlone ? 1.0F : kOwn;
-          this->Next[i] = { this->Means[i].area * own + sum.area * share,
-            this->Means[i].place * own + sum.place * share };
+          sum.area = sum.area + this->Means[other].area;
+          sum.place = sum.place + this->Means[other].place;
         }
+        const bool isAlone = near.empty() || this->Surface.isSharp[i] != 0;
+        const float share = isAlone ? 0.0F : 1.0F / static_cast<float>(near.size());
+        const float own = isAlone ? 1.0F : kOwn;
+        this->Next[i] = { this->Means[i].area * own + sum.area * share,
+          this->Means[i].place * own + sum.place * share };
       });
     this->Means.swap(this->Next);
   }
@@ -150,18 +147,7 @@ Float4 SmoothNormals::normalAt(const Float4& place, std::size_t point) const
 
 void SmoothNormals::compute(const LargeArray<Float4>& places, Execution& execution)
 {
-  const auto forAll = [&](auto&& body)
-  {
-    execution.parallelFor(this->Count, kGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          body(i);
-        }
-      });
-  };
-  forAll(
+  parallelForEach(execution, this->Count, kGrain,
     [&](std::size_t i)
     {
       const Float4 area = this->areaVector(places, i);
@@ -171,7 +157,7 @@ void SmoothNormals::compute(const LargeArray<Float4>& places, Execution& executi
       this->Means[i] = { area, place };
     });
   this->average(execution);
-  forAll(
+  parallelForEach(execution, this->Count, kGrain,
     [&](std::size_t i)
     {
       Mean& mean = this->Means[i];
@@ -180,7 +166,8 @@ void SmoothNormals::compute(const LargeArray<Float4>& places, Execution& executi
       mean.place = weight > 0.0F ? mean.place * (1.0F / weight) : places[i];
       mean.place.lanes[3] = 0.0F;
     });
-  forAll([&](std::size_t i) { this->Normals[i] = this->normalAt(places[i], i); });
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i) { this->Normals[i] = this->normalAt(places[i], i); });
 }
 
 } // namespace scan

@@ -31,7 +31,7 @@ struct NormalSurface
 class SmoothNormals
 {
 public:
-  SmoothNormals(const NormalSurface& surface, std::size_t points);
+  explicit SmoothNormals(const NormalSurface& surface);
 
   /// Computes them anew from where the points are.
   void compute(const LargeArray<Float4>& places, Execution& execution);

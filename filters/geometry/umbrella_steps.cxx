@@ -15,8 +15,8 @@ namespace
 {
 
 constexpr std::size_t kGrain = 16384;
-constexpr std::size_t kFirstBends =
-  10; // pairs after which normals are computed anew; then eight times
+constexpr std::size_t kFirstBends = 10; // pairs after which normals are computed anew,
+constexpr std::size_t kLaterBends = 8;  // and again after so many times as many
 
 /// Displacements of points, in units of the size of the whole.
 class Displacements
@@ -61,32 +61,28 @@ Displacements::Displacements(const UmbrellaSurface& surface, double limit, Execu
   , Now(this->Count)
   , Next(this->Count)
   , Places(this->Count)
-  , Normals({ surface.mesh.triangles, surface.triangles, surface.neighbours, surface.isSharp },
-      this->Count)
+  , Normals({ surface.mesh.triangles, surface.triangles, surface.neighbours, surface.isSharp })
 {
   const std::vector<Vec3>& points = surface.mesh.points;
   const double size = BoundingBox(points).diagonal();
   this->Scale = size > 0.0 ? 1.0 / size : 1.0;
   constexpr double kLess = 1.0 - 1e-6; // so that rounding rarely exceeds the limit
   this->ScaledLimit = static_cast<float>(std::min(limit * this->Scale * kLess, 1e18));
-  execution.parallelFor(this->Count, kGrain,
-    [&](std::size_t begin, std::size_t end)
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      Vec3 sum;
+      const auto near = this->Neighbours.of(i);
+      for (const Index other : near)
       {
-        Vec3 sum;
-        const auto near = this->Neighbours.of(i);
-        for (const Index other : near)
-        {
-          sum = sum + (points[other] - points[i]);
-        }
-        const double share = near.empty() ? 0.0 : this->Scale / static_cast<double>(near.size());
-        this->Mean[i] = narrowed(sum, share);
-        this->Now[i] = {};
-        if (!this->Start.empty())
-        {
-          this->Start[i] = narrowed(points[i] - surface.homes[i], this->Scale);
-        }
+        sum = sum + (points[other] - points[i]);
+      }
+      const double share = near.empty() ? 0.0 : this->Scale / static_cast<double>(near.size());
+      this->Mean[i] = narrowed(sum, share);
+      this->Now[i] = {};
+      if (!this->Start.empty())
+      {
+        this->Start[i] = narrowed(points[i] - surface.homes[i], this->Scale);
       }
     });
 }
@@ -111,21 +107,12 @@ Float4 Displacements::bend(std::size_t point) const
 void Displacements::straighten(Execution& execution)
 {
   const std::vector<Vec3>& points = this->Surface.mesh.points;
-  const auto forAll = [&](auto&& body)
-  {
-    execution.parallelFor(this->Count, kGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          body(i);
-        }
-      });
-  };
-  forAll([&](std::size_t i)
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i)
     { this->Places[i] = narrowed(points[i] - points[0], this->Scale) + this->Now[i]; });
   this->Normals.compute(this->Places, execution);
-  forAll([&](std::size_t i) { this->Pull[i] = this->Mean[i] - this->bend(i); });
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i) { this->Pull[i] = this->Mean[i] - this->bend(i); });
 }
 
 Float4 Displacements::heldBack(const Float4& displacement, std::size_t point) const
@@ -178,17 +165,12 @@ void Displacements::step(double weight, bool isHeldBack, Execution& execution)
 std::vector<Vec3> Displacements::moved(Execution& execution) const
 {
   std::vector<Vec3> places(this->Surface.mesh.points);
-  execution.parallelFor(this->Count, kGrain,
-    [&](std::size_t begin, std::size_t end)
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      if (!this->Neighbours.of(i).empty())
       {
-        if (this->Neighbours.of(i).empty())
-        {
-          continue;
-        }
-        const Float4& d = this->Now[i];
-        const Vec3 to = places[i] + widened(d, 1.0 / this->Scale);
+        const Vec3 to = places[i] + widened(this->Now[i], 1.0 / this->Scale);
         places[i] = limitedMove(this->Surface.homes[i], to, this->Limit);
       }
     });
@@ -210,7 +192,7 @@ std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSt
     if (pair == straightened)
     {
       displacements.straighten(execution);
-      straightened = std::max(kFirstBends, 8 * pair);
+      straightened = std::max(kFirstBends, kLaterBends * pair);
     }
     displacements.step(steps.lambda, false, execution);
     displacements.step(steps.mu, isLimited, execution);
