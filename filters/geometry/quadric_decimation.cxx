@@ -16,8 +16,10 @@ namespace scan
 namespace
 {
 
-/// Of all edges, how many at most a sweep reaches; fewer take longer and are hardly better.
-constexpr double kSweepShare = 0.08;
+/// Of all edges, how many a sweep reaches: the square of the share that has to go, within these. The
+/// last sweeps decide how large the largest error is; fine ones cost little there.
+constexpr double kLeastSweep = 0.005;
+constexpr double kLargestSweep = 0.08;
 
 /// Of planes across boundaries, by the squared length of the edge: a line has less weight than the
 /// surface beside it, but is seen as clearly.
@@ -29,7 +31,7 @@ constexpr double kFarthest = 1.0;
 /// How much the length of an edge adds to its cost, so that planes are thinned evenly.
 constexpr double kLengthShare = 1e-7;
 
-/// By how much the surface may move from an end of an edge, as a multiple of the mean distance.
+/// How far surfaces may be apart, as a multiple of the mean distance.
 constexpr double kLoss = 3.0;
 
 /// Normals of triangles turn by 78 degrees at most.
@@ -207,8 +209,10 @@ bool QuadricDecimation::keepsShapes(Index half, const Vec3& place) const
   return isFine;
 }
 
-/// How far the ends of an edge are from the triangles that its contraction leaves around them, the
-/// larger squared; an answer up to `enough` may be too large.
+/// How far the ends of an edge are from the triangles that its contraction leaves around them, or
+/// the place from the planes of those that it moves, the largest squared; an answer up to `enough`
+/// may be too large. The mean over planes does not tell that one is far: the new edge beside it would
+/// cut across.
 double QuadricDecimation::squaredLoss(Index half, const Vec3& place, double enough) const
 {
   const Index u = this->Mesh.from(half);
@@ -237,6 +241,18 @@ double QuadricDecimation::squaredLoss(Index half, const Vec3& place, double enou
         });
     }
     loss = std::max(loss, least);
+    this->Mesh.forEachOut(end,
+      [&](Index out)
+      {
+        const Index a = this->Mesh.to(out);
+        const Index b = this->Mesh.from(previousHalf(out));
+        const Vec3 normal = cross(this->Mesh.points[a] - p, this->Mesh.points[b] - p);
+        const double height = dot(normal, place - p);
+        if (a != u && a != v && b != u && b != v && dot(normal, normal) > 0.0)
+        {
+          loss = std::max(loss, height * height / dot(normal, normal));
+        }
+      });
   }
   return loss;
 }
@@ -338,7 +354,8 @@ float QuadricDecimation::threshold(std::size_t triangles)
     return kNever;
   }
   const double needed = static_cast<double>(this->Mesh.triangles - triangles + 1) / 2.0;
-  const double share = std::min(kSweepShare, needed / edges);
+  const double toGo = needed / edges;
+  const double share = std::min(toGo, std::clamp(toGo * toGo, kLeastSweep, kLargestSweep));
   const auto place = this->Sample.begin() +
     static_cast<std::ptrdiff_t>(share * static_cast<double>(this->Sample.size() - 1));
   std::nth_element(this->Sample.begin(), place, this->Sample.end());
