@@ -16,9 +16,9 @@ namespace scan
 namespace
 {
 
-/// Of all edges, how many a sweep reaches: the square of the share that has to go, within these. The
-/// last sweeps decide how large the largest error is; fine ones cost little there.
-constexpr double kLeastSweep = 0.005;
+/// Of all edges, how many a sweep reaches: the square of the share that has to go, within these.
+/// The last sweeps decide how large the largest error is; fine ones cost little there.
+constexpr double kLeastSweep = 0.01;
 constexpr double kLargestSweep = 0.08;
 
 /// Of planes across boundaries, by the squared length of the edge: a line has less weight than the
@@ -188,6 +188,7 @@ bool QuadricDecimation::keepsShapes(Index half, const Vec3& place) const
         {
           return;
         }
+        __builtin_prefetch(&this->Quadrics[first]); // for updateCosts()
         const Vec3& a = this->Mesh.points[first];
         const Vec3& b = this->Mesh.points[second];
         const Vec3& old = this->Mesh.points[end];
@@ -211,8 +212,8 @@ bool QuadricDecimation::keepsShapes(Index half, const Vec3& place) const
 
 /// How far the ends of an edge are from the triangles that its contraction leaves around them, or
 /// the place from the planes of those that it moves, the largest squared; an answer up to `enough`
-/// may be too large. The mean over planes does not tell that one is far: the new edge beside it would
-/// cut across.
+/// may be too large. The mean over planes does not tell that one is far: the new edge beside it
+/// would cut across.
 double QuadricDecimation::squaredLoss(Index half, const Vec3& place, double enough) const
 {
   const Index u = this->Mesh.from(half);
