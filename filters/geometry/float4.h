@@ -7,12 +7,13 @@
 namespace scan
 {
 
-/// A vector in single precision that the processor takes at once; the last number is 0.
+/// A vector in single precision that the processor takes at once; the last number is 0. Not
+/// initialised unless by {}, as arrays of millions are written next.
 struct Float4
 {
   typedef float Lanes
     __attribute__((vector_size(16))); // of GCC and Clang; compilers miss it in loops
-  Lanes lanes{};
+  Lanes lanes;
 };
 
 inline Float4 operator+(const Float4& a, const Float4& b)

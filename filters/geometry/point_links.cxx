@@ -141,6 +141,43 @@ Index Link::neighbours(PointKind kind, Index* to) const
   return count;
 }
 
+/// The points around one whose triangles all face one side and go round it, rising, into `to`; how
+/// many, or 0 when they do not, or are too many for this short way.
+Index ringAround(const TriMesh& mesh, std::span<const Index> triangles, Index point, Index* to)
+{
+  constexpr std::size_t kMost = 12;
+  if (triangles.size() < 3 || triangles.size() > kMost)
+  {
+    return 0;
+  }
+  std::array<Index, kMost> next{};
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& triangle = mesh.triangles[triangles[i]];
+    const std::size_t k = triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;
+    to[i] = triangle[(k + 1) % 3];
+    next[i] = triangle[(k + 2) % 3];
+  }
+  Index* const end = to + triangles.size();
+  Index at = next[0];
+  std::size_t steps = 1;
+  for (; at != to[0] && steps < triangles.size(); ++steps)
+  {
+    const Index* const found = std::find(to, end, at);
+    if (found == end)
+    {
+      return 0;
+    }
+    at = next[static_cast<std::size_t>(found - to)];
+  }
+  if (at != to[0] || steps != triangles.size()) // back at once after all: each point was met once
+  {
+    return 0;
+  }
+  std::sort(to, end);
+  return static_cast<Index>(triangles.size());
+}
+
 /// Per point its triangles.
 PointLists trianglesOfPoints(const TriMesh& mesh)
 {
@@ -191,6 +228,13 @@ PointLinks linkPoints(const TriMesh& mesh, Execution& execution)
       Link link;
       for (std::size_t i = begin; i < end; ++i)
       {
+        Index* const near = roomy.data() + triangles.begins[i] + i;
+        counts[i] = ringAround(mesh, triangles.of(i), static_cast<Index>(i), near);
+        if (counts[i] > 0)
+        {
+          links.kinds[i] = PointKind::inner;
+          continue;
+        }
         link.begin();
         for (const Index t : triangles.of(i))
         {
@@ -202,7 +246,7 @@ PointLinks linkPoints(const TriMesh& mesh, Execution& execution)
         {
           isClosed.store(false, std::memory_order_relaxed);
         }
-        counts[i] = link.neighbours(links.kinds[i], roomy.data() + triangles.begins[i] + i);
+        counts[i] = link.neighbours(links.kinds[i], near);
       }
     });
   links.isClosed = isClosed;

@@ -78,4 +78,22 @@ PointLists makeLists(std::size_t points, Execution& execution, Count&& count, Fi
   return lists;
 }
 
+/// The sum of valueOf(neighbour); fast for six, as most points have.
+template <class ValueOf>
+auto sumOf(std::span<const Index> neighbours, ValueOf&& valueOf)
+{
+  if (neighbours.size() == 6)
+  {
+    return ((valueOf(neighbours[0]) + valueOf(neighbours[1])) +
+             (valueOf(neighbours[2]) + valueOf(neighbours[3]))) +
+      (valueOf(neighbours[4]) + valueOf(neighbours[5]));
+  }
+  decltype(valueOf(Index{})) sum{};
+  for (const Index other : neighbours)
+  {
+    sum = sum + valueOf(other);
+  }
+  return sum;
+}
+
 } // namespace scan

@@ -17,63 +17,71 @@ Float4 unit(const Float4& v)
   return squared > 0.0F ? v * (1.0F / std::sqrt(squared)) : Float4{};
 }
 
-/// The symmetric map S of a plane that fits turns of a normal to steps in the plane: the least sum
-/// of |S step - turn|^2.
+/// A 3 x 3 matrix.
+struct Matrix
+{
+  Float4 x{}, y{}, z{}; ///< columns
+
+  /// The outer product a b'.
+  void add(const Float4& a, const Float4& b)
+  {
+    this->x = this->x + a * b.lanes[0];
+    this->y = this->y + a * b.lanes[1];
+    this->z = this->z + a * b.lanes[2];
+  }
+  Float4 operator*(const Float4& v) const
+  {
+    return this->x * v.lanes[0] + this->y * v.lanes[1] + this->z * v.lanes[2];
+  }
+};
+
+/// The symmetric map S of the plane across a normal that fits turns of normals to steps in the
+/// plane: the least sum of |S step - turn|^2.
 class ShapeOperator
 {
 public:
-  explicit ShapeOperator(const Float4& normal)
-  {
-    const bool isAlongX = std::abs(normal.lanes[0]) > 0.6F;
-    const Float4 axis{ isAlongX ? Float4::Lanes{ 0, 1, 0, 0 } : Float4::Lanes{ 1, 0, 0, 0 } };
-    this->U = unit(axis - normal * dot(normal, axis));
-    this->V = cross(normal, this->U);
-  }
-
   void add(const Float4& step, const Float4& turn)
   {
-    const float x = dot(step, this->U);
-    const float y = dot(step, this->V);
-    const float turnX = dot(turn, this->U);
-    const float turnY = dot(turn, this->V);
-    this->XX += x * x;
-    this->XY += x * y;
-    this->YY += y * y;
-    this->TurnX += turnX * x;
-    this->TurnXY += turnX * y + turnY * x;
-    this->TurnY += turnY * y;
+    this->Steps.add(step, step);
+    this->Turns.add(turn, step);
   }
 
   /// The turn that a step brings; none when there were too few steps to tell.
-  Float4 turn(const Float4& step) const
+  Float4 turn(const Float4& normal, const Float4& step) const
   {
+    const bool isAlongX = std::abs(normal.lanes[0]) > 0.6F;
+    const Float4 axis{ isAlongX ? Float4::Lanes{ 0, 1, 0, 0 } : Float4::Lanes{ 1, 0, 0, 0 } };
+    const Float4 u = unit(axis - normal * dot(normal, axis));
+    const Float4 v = cross(normal, u);
+    const Float4 stepsV = this->Steps * v;
+    const float uu = dot(u, this->Steps * u);
+    const float uv = dot(u, stepsV);
+    const float vv = dot(v, stepsV);
     constexpr float kThin = 1e-4F; // steps along a line
-    const float trace = this->XX + this->YY;
-    if (!(this->XX * this->YY - this->XY * this->XY > kThin * trace * trace))
+    const float trace = uu + vv;
+    if (!(uu * vv - uv * uv > kThin * trace * trace))
     {
-      return {};
+      return Float4{};
     }
+    const Float4 turnsU = this->Turns * u;
+    const Float4 turnsV = this->Turns * v;
+    const float turnU = dot(u, turnsU);
+    const float turnUV = dot(u, turnsV) + dot(v, turnsU);
+    const float turnV = dot(v, turnsV);
     // the normal equations of S = ((a, b), (b, c)), a and c eliminated
-    const float byX = this->XY / this->XX;
-    const float byY = this->XY / this->YY;
-    const float b = (this->TurnXY - byX * this->TurnX - byY * this->TurnY) /
-      (trace - byX * this->XY - byY * this->XY);
-    const float a = (this->TurnX - b * this->XY) / this->XX;
-    const float c = (this->TurnY - b * this->XY) / this->YY;
-    const float x = dot(step, this->U);
-    const float y = dot(step, this->V);
-    return this->U * (a * x + b * y) + this->V * (b * x + c * y);
+    const float byU = uv / uu;
+    const float byV = uv / vv;
+    const float b = (turnUV - byU * turnU - byV * turnV) / (trace - byU * uv - byV * uv);
+    const float a = (turnU - b * uv) / uu;
+    const float c = (turnV - b * uv) / vv;
+    const float x = dot(step, u);
+    const float y = dot(step, v);
+    return u * (a * x + b * y) + v * (b * x + c * y);
   }
 
 private:
-  Float4 U;
-  Float4 V;
-  float XX = 0.0F;
-  float XY = 0.0F;
-  float YY = 0.0F;
-  float TurnX = 0.0F;
-  float TurnXY = 0.0F;
-  float TurnY = 0.0F;
+  Matrix Steps; // the sum of step step'
+  Matrix Turns; // of turn step'
 };
 
 } // namespace
@@ -90,7 +98,7 @@ SmoothNormals::SmoothNormals(const NormalSurface& surface)
 /// The sum of the vectors of the triangles at a point: of the length of their area, twice.
 Float4 SmoothNormals::areaVector(const LargeArray<Float4>& places, std::size_t point) const
 {
-  Float4 sum;
+  Float4 sum{};
   if (this->Surface.isSharp[point] == 0)
   {
     for (const Index t : this->Surface.trianglesOfPoints.of(point))
@@ -113,17 +121,13 @@ void SmoothNormals::average(Execution& execution)
       [&](std::size_t i)
       {
         const auto near = this->Surface.neighbours.of(i);
-        Mean sum;
-        for (const Index other : near)
-        {
-          sum.area = sum.area + this->Means[other].area;
-          sum.place = sum.place + this->Means[other].place;
-        }
+        const Float4 area = sumOf(near, [&](Index other) { return this->Means[other].area; });
+        const Float4 place = sumOf(near, [&](Index other) { return this->Means[other].place; });
         const bool isAlone = near.empty() || this->Surface.isSharp[i] != 0;
         const float share = isAlone ? 0.0F : 1.0F / static_cast<float>(near.size());
         const float own = isAlone ? 1.0F : kOwn;
-        this->Next[i] = { this->Means[i].area * own + sum.area * share,
-          this->Means[i].place * own + sum.place * share };
+        this->Next[i] = { this->Means[i].area * own + area * share,
+          this->Means[i].place * own + place * share };
       });
     this->Means.swap(this->Next);
   }
@@ -133,7 +137,7 @@ void SmoothNormals::average(Execution& execution)
 Float4 SmoothNormals::normalAt(const Float4& place, std::size_t point) const
 {
   const Mean& mean = this->Means[point];
-  ShapeOperator shape(mean.area);
+  ShapeOperator shape;
   for (const Index other : this->Surface.neighbours.of(point))
   {
     const Mean& there = this->Means[other];
@@ -142,7 +146,7 @@ Float4 SmoothNormals::normalAt(const Float4& place, std::size_t point) const
       shape.add(there.place - mean.place, there.area - mean.area);
     }
   }
-  return unit(mean.area + shape.turn(place - mean.place));
+  return unit(mean.area + shape.turn(mean.area, place - mean.place));
 }
 
 void SmoothNormals::compute(const LargeArray<Float4>& places, Execution& execution)

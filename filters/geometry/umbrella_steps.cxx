@@ -3,6 +3,7 @@
 #include "filters/geometry/umbrella_steps.h"
 
 #include "filters/geometry/bounding_box.h"
+#include "filters/geometry/chebyshev_series.h"
 #include "filters/geometry/float4.h"
 #include "filters/geometry/limited_move.h"
 #include "filters/geometry/smooth_normals.h"
@@ -27,11 +28,20 @@ public:
   /// Takes the bend of the surface as it is now out of what pulls.
   void straighten(Execution& execution);
   void step(double weight, bool isHeldBack, Execution& execution);
+  /// All at once what many steps from here would do; see seriesOf().
+  /// @param onTerm told the number of terms that are left
+  template <class OnTerm>
+  void sum(std::span<const double> series, OnTerm&& onTerm, Execution& execution);
   std::vector<Vec3> moved(Execution& execution) const;
 
 private:
-  template <bool isHeldBack>
-  void stepRange(float weight, std::size_t begin, std::size_t end);
+  /// Of the neighbours; of none: zero.
+  Float4 meanOf(const LargeArray<Float4>& values, std::size_t point) const
+  {
+    const auto near = this->Neighbours.of(point);
+    const Float4 sum = sumOf(near, [&](Index other) { return values[other]; });
+    return near.empty() ? sum : sum * (1.0F / static_cast<float>(near.size()));
+  }
   Float4 heldBack(const Float4& displacement, std::size_t point) const;
   Float4 bend(std::size_t point) const;
 
@@ -46,7 +56,7 @@ private:
   LargeArray<Float4> Start; // from home to the first place; none when nothing is held back
   LargeArray<Float4> Now;
   LargeArray<Float4> Next;
-  LargeArray<Float4> Places;
+  LargeArray<Float4> Places; // while normals are computed; scratch otherwise
   SmoothNormals Normals;
 };
 
@@ -79,7 +89,7 @@ Displacements::Displacements(const UmbrellaSurface& surface, double limit, Execu
       }
       const double share = near.empty() ? 0.0 : this->Scale / static_cast<double>(near.size());
       this->Mean[i] = narrowed(sum, share);
-      this->Now[i] = {};
+      this->Now[i] = Float4{};
       if (!this->Start.empty())
       {
         this->Start[i] = narrowed(points[i] - surface.homes[i], this->Scale);
@@ -126,40 +136,47 @@ Float4 Displacements::heldBack(const Float4& displacement, std::size_t point) co
   return whole * (this->ScaledLimit / std::sqrt(squared)) - this->Start[point];
 }
 
-template <bool isHeldBack>
-void Displacements::stepRange(float weight, std::size_t begin, std::size_t end)
-{
-  const Index* const items = this->Neighbours.items.data();
-  const Index* const begins = this->Neighbours.begins.data();
-  const Float4* const now = this->Now.data();
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    Float4 sum;
-    const Index first = begins[i];
-    const Index last = begins[i + 1];
-    for (Index k = first; k < last; ++k)
-    {
-      sum = sum + now[items[k]];
-    }
-    const float share = last > first ? 1.0F / static_cast<float>(last - first) : 0.0F;
-    Float4 next = now[i] + (sum * share + this->Pull[i] - now[i]) * weight;
-    if constexpr (isHeldBack)
-    {
-      next = last > first ? this->heldBack(next, i) : now[i];
-    }
-    this->Next[i] = next;
-  }
-}
-
 void Displacements::step(double weight, bool isHeldBack, Execution& execution)
 {
-  execution.parallelFor(this->Count, kGrain,
-    [&](std::size_t begin, std::size_t end)
+  const auto by = static_cast<float>(weight);
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i)
     {
-      isHeldBack ? this->stepRange<true>(static_cast<float>(weight), begin, end)
-                 : this->stepRange<false>(static_cast<float>(weight), begin, end);
+      const Float4& now = this->Now[i];
+      const Float4 next = now + (this->meanOf(this->Now, i) + this->Pull[i] - now) * by;
+      this->Next[i] =
+        isHeldBack && !this->Neighbours.of(i).empty() ? this->heldBack(next, i) : next;
     });
   this->Now.swap(this->Next);
+}
+
+template <class OnTerm>
+void Displacements::sum(std::span<const double> series, OnTerm&& onTerm, Execution& execution)
+{
+  // the sum of c_m T_m(M) times the first step without its weight (Clenshaw 1955), M the mean of
+  // the neighbours
+  LargeArray<Float4>& first = this->Pull;
+  LargeArray<Float4>& later = this->Next;
+  LargeArray<Float4>& latest = this->Places;
+  parallelForEach(execution, this->Count, kGrain,
+    [&](std::size_t i)
+    {
+      first[i] = first[i] + this->meanOf(this->Now, i) - this->Now[i];
+      later[i] = Float4{};
+      latest[i] = Float4{};
+    });
+  for (std::size_t m = series.size(); m-- > 0;)
+  {
+    onTerm(m);
+    const auto share = static_cast<float>(series[m]);
+    const float twice = m > 0 ? 2.0F : 1.0F;
+    parallelForEach(execution, this->Count, kGrain,
+      [&](std::size_t i)
+      { latest[i] = first[i] * share + this->meanOf(later, i) * twice - latest[i]; });
+    later.swap(latest);
+  }
+  parallelForEach(
+    execution, this->Count, kGrain, [&](std::size_t i) { this->Now[i] = this->Now[i] + later[i]; });
 }
 
 std::vector<Vec3> Displacements::moved(Execution& execution) const
@@ -177,6 +194,30 @@ std::vector<Vec3> Displacements::moved(Execution& execution) const
   return places;
 }
 
+/// As a step by weight w takes d to d + w (p - L d), L the difference from the mean of the
+/// neighbours and p the pull, many take it to d + g(L) (p - L d), g(k) = (1 - the product of 1 - w
+/// k) / k. Of g for all that L may hold, 0 to 2, the series in T_m(1 - k); empty when it would not
+/// be shorter than the steps.
+std::vector<double> seriesOf(const UmbrellaSteps& steps, std::size_t pairs)
+{
+  constexpr std::size_t kMost = 256;  // far more than weights that smooth ever need
+  constexpr double kTolerance = 1e-6; // of the movement
+  const std::size_t passes = 2 * pairs;
+  std::vector<double> series = chebyshevSeries(std::min(passes, kMost),
+    [&](double x)
+    {
+      const double k = 1.0 - x;
+      const double pair = (1.0 - steps.lambda * k) * (1.0 - steps.mu * k);
+      return (1.0 - std::pow(pair, static_cast<double>(pairs))) / k;
+    });
+  truncate(series, kTolerance);
+  if (series.size() + 1 >= passes || series.size() == kMost)
+  {
+    series.clear();
+  }
+  return series;
+}
+
 } // namespace
 
 std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSteps& steps,
@@ -185,17 +226,30 @@ std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSt
   const bool isLimited = std::isfinite(steps.limit);
   const auto pairs = static_cast<std::size_t>(steps.pairs);
   Displacements displacements(surface, steps.limit, execution);
-  std::size_t straightened = 0;
-  for (std::size_t pair = 0; pair < pairs; ++pair)
+  std::size_t next = 0;
+  for (std::size_t pair = 0; pair < pairs; pair = next)
   {
     execution.step(phase, pair, pairs);
-    if (pair == straightened)
+    displacements.straighten(execution);
+    next = std::min(pairs, std::max(kFirstBends, kLaterBends * pair));
+    const std::vector<double> series =
+      isLimited ? std::vector<double>{} : seriesOf(steps, next - pair);
+    if (!series.empty())
     {
-      displacements.straighten(execution);
-      straightened = std::max(kFirstBends, kLaterBends * pair);
+      const std::size_t terms = series.size();
+      displacements.sum(
+        series,
+        [&](std::size_t left)
+        { execution.step(phase, next * terms - (next - pair) * left, pairs * terms); },
+        execution);
+      continue;
     }
-    displacements.step(steps.lambda, false, execution);
-    displacements.step(steps.mu, isLimited, execution);
+    for (; pair < next; ++pair)
+    {
+      execution.step(phase, pair, pairs);
+      displacements.step(steps.lambda, false, execution);
+      displacements.step(steps.mu, isLimited, execution);
+    }
   }
   return displacements.moved(execution);
 }
