@@ -169,6 +169,8 @@ std::vector<Sample> makeSamples()
     { "monkey_saddle.xyz", asText(monkeySaddle()) },
     { "multiview_scan.ply",
       asPly(simulateScan(), "simulated scan of a link with one eye, 12 views, millimetres") },
+    { "limb_scan.ply",
+      asPly(simulateLimbScan(), "simulated scan of a leg, 12 views, millimetres") },
   };
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "data/samples.h"
 
+#include "data/limb_scan_truth.h"
 #include "data/multiview_scan_truth.h"
 #include "data/splitmix.h"
 
@@ -15,12 +16,20 @@ namespace
 
 using scan::Vec3;
 
-constexpr Vec3 kTarget = { 24.0, 0.0, 0.0 };
-constexpr double kCameraDistance = 260.0;
-constexpr double kPitch = 0.85;       // between neighbouring rays at the target, mm
-constexpr int kHalfWidth = 80;        // rays on each side of the middle
 constexpr double kGrazing = 0.2;      // cosine below which a real camera sees nothing
 constexpr double kHitDistance = 1e-9; // mm
+
+/// Twelve cameras around a solid; lengths in millimetres.
+struct Scanner
+{
+  Vec3 target;
+  double cameraDistance; ///< from the target
+  double reach;          ///< from the target to the farthest point of the solid, at least
+  double pitch;          ///< between neighbouring rays at the target
+  int halfWidth;         ///< rays on each side of the middle
+  double noise;          ///< standard deviation along the ray
+  std::uint64_t seed;
+};
 
 Vec3 normalized(const Vec3& v)
 {
@@ -44,12 +53,14 @@ std::vector<Vec3> cameraDirections()
 }
 
 /// How far along the ray the surface is: steps as long as nothing can be nearer.
-std::optional<double> castRay(const Vec3& eye, const Vec3& direction)
+template <class Distance>
+std::optional<double> castRay(
+  const Scanner& scanner, const Vec3& eye, const Vec3& direction, Distance&& distanceAt)
 {
-  double along = kCameraDistance - 80.0; // in front of everything
-  while (along < kCameraDistance + 80.0)
+  double along = scanner.cameraDistance - scanner.reach; // in front of everything
+  while (along < scanner.cameraDistance + scanner.reach)
   {
-    const double distance = truth::distance(eye + direction * along);
+    const double distance = distanceAt(eye + direction * along);
     if (distance < kHitDistance)
     {
       return along;
@@ -59,40 +70,68 @@ std::optional<double> castRay(const Vec3& eye, const Vec3& direction)
   return std::nullopt;
 }
 
-Vec3 surfaceNormal(const Vec3& p)
+template <class Distance>
+Vec3 surfaceNormal(const Vec3& p, Distance&& distanceAt)
 {
   constexpr double step = 1e-4;
   const auto slope = [&](const Vec3& axis)
-  { return truth::distance(p + axis * step) - truth::distance(p - axis * step); };
+  { return distanceAt(p + axis * step) - distanceAt(p - axis * step); };
   return normalized({ slope({ 1, 0, 0 }), slope({ 0, 1, 0 }), slope({ 0, 0, 1 }) });
+}
+
+/// @param distanceAt of a point outside, at most how far it is from the solid; zero on its surface
+template <class Distance>
+std::vector<Vec3> seenPoints(const Scanner& scanner, Distance&& distanceAt)
+{
+  SplitMix random(scanner.seed);
+  std::vector<Vec3> points;
+  for (const Vec3& towards : cameraDirections())
+  {
+    const Vec3 eye = scanner.target + towards * scanner.cameraDistance;
+    const Vec3 right = normalized(cross({ 0.1, 0.9, 0.4 }, towards));
+    const Vec3 up = cross(towards, right);
+    for (int row = -scanner.halfWidth; row <= scanner.halfWidth; ++row)
+    {
+      for (int column = -scanner.halfWidth; column <= scanner.halfWidth; ++column)
+      {
+        const Vec3 aim =
+          scanner.target + right * (scanner.pitch * column) + up * (scanner.pitch * row);
+        const Vec3 ray = normalized(aim - eye);
+        const std::optional<double> range = castRay(scanner, eye, ray, distanceAt);
+        if (range && -dot(surfaceNormal(eye + ray * *range, distanceAt), ray) > kGrazing)
+        {
+          points.push_back(eye + ray * (*range + scanner.noise * random.normal()));
+        }
+      }
+    }
+  }
+  return points;
 }
 
 } // namespace
 
 std::vector<Vec3> simulateScan()
 {
-  SplitMix random(12);
-  std::vector<Vec3> points;
-  for (const Vec3& towards : cameraDirections())
-  {
-    const Vec3 eye = kTarget + towards * kCameraDistance;
-    const Vec3 right = normalized(cross({ 0.1, 0.9, 0.4 }, towards));
-    const Vec3 up = cross(towards, right);
-    for (int row = -kHalfWidth; row <= kHalfWidth; ++row)
-    {
-      for (int column = -kHalfWidth; column <= kHalfWidth; ++column)
-      {
-        const Vec3 aim = kTarget + right * (kPitch * column) + up * (kPitch * row);
-        const Vec3 ray = normalized(aim - eye);
-        const std::optional<double> range = castRay(eye, ray);
-        if (range && -dot(surfaceNormal(eye + ray * *range), ray) > kGrazing)
-        {
-          points.push_back(eye + ray * (*range + kScanNoise * random.normal()));
-        }
-      }
-    }
-  }
-  return points;
+  const Scanner scanner{ .target = { 24.0, 0.0, 0.0 },
+    .cameraDistance = 260.0,
+    .reach = 80.0,
+    .pitch = 0.85,
+    .halfWidth = 80,
+    .noise = kScanNoise,
+    .seed = 12 };
+  return seenPoints(scanner, truth::distance);
+}
+
+std::vector<Vec3> simulateLimbScan()
+{
+  const Scanner scanner{ .target = { 0.0, 45.0, 215.0 },
+    .cameraDistance = 900.0,
+    .reach = 350.0,
+    .pitch = 3.0,
+    .halfWidth = 110,
+    .noise = kLimbNoise,
+    .seed = 7 };
+  return seenPoints(scanner, truth::limb::field);
 }
 
 } // namespace samples

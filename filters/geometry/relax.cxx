@@ -33,6 +33,12 @@ void requireWeights(const RelaxOptions& options)
     throw Error(ErrorCode::badParameter,
       "mu must be a little below -lambda, such as -0.705 for 0.7, and at least -1.1");
   }
+  if ((1.0 - 2.0 * options.lambda) * (1.0 - 2.0 * options.mu) < -1.0)
+  {
+    throw Error(ErrorCode::badParameter,
+      "these weights would magnify what alternates from point to point; take smaller ones, at most "
+      "0.7 and -0.705");
+  }
 }
 
 void requireUsablePoints(const TriMesh& mesh)

@@ -113,7 +113,7 @@ Float4 SmoothNormals::areaVector(const LargeArray<Float4>& places, std::size_t p
 /// The weights of a neighbourhood fall with the distance.
 void SmoothNormals::average(Execution& execution)
 {
-  constexpr int kRounds = 7;
+  constexpr int kRounds = 10;
   constexpr float kOwn = 0.25F; // without it even and odd rounds would see different points
   for (int round = 0; round < kRounds; ++round)
   {

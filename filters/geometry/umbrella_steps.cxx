@@ -196,8 +196,8 @@ std::vector<Vec3> Displacements::moved(Execution& execution) const
 
 /// As a step by weight w takes d to d + w (p - L d), L the difference from the mean of the
 /// neighbours and p the pull, many take it to d + g(L) (p - L d), g(k) = (1 - the product of 1 - w
-/// k) / k. Of g for all that L may hold, 0 to 2, the series in T_m(1 - k); empty when it would not
-/// be shorter than the steps.
+/// k) / k. Of g for all that L may hold, 0 to 2, the series in T_m(1 - k); empty when it is not
+/// shorter than the steps.
 std::vector<double> seriesOf(const UmbrellaSteps& steps, std::size_t pairs)
 {
   constexpr std::size_t kMost = 256;  // far more than weights that smooth ever need

@@ -18,7 +18,7 @@ struct UmbrellaSteps
 {
   int pairs = 1;       ///< of steps
   double lambda = 0.7; ///< weight of the first step of a pair
-  double mu = -0.705;  ///< of the second
+  double mu = -0.705;  ///< of the second; (1 - 2 lambda) (1 - 2 mu) is not below -1
   /// Model units: after each pair no point is farther from its home.
   double limit = std::numeric_limits<double>::infinity();
 };
@@ -42,7 +42,10 @@ struct UmbrellaSurface
 /// turn of the normal explains, half of it times the edge, exact for arcs. Normals are
 /// SmoothNormals, computed anew while the points move.
 ///
-/// Exact to about 1e-7 of the movement, as displacements are single-precision numbers, not places.
+/// What many steps do is a polynomial of the mean of neighbours. Without a limit it is summed as a
+/// Chebyshev series of far fewer terms; with one, steps are taken one by one.
+///
+/// Exact to some 1e-6 of the movement, as displacements are single-precision numbers, not places.
 std::vector<Vec3> umbrellaSteps(const UmbrellaSurface& surface, const UmbrellaSteps& steps,
   std::string_view phase, Execution& execution);
 

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters/geometry/relax.h"
 
+#include "data/limb_scan_truth.h"
 #include "data/multiview_scan_truth.h"
 #include "data/samples.h"
+#include "filters/geometry/chebyshev_series.h"
 #include "filters/geometry/dihedral_angle.h"
+#include "filters/geometry/float4.h"
 #include "filters/geometry/half_edges.h"
 #include "filters/geometry/mesh_checks.h"
+#include "filters/geometry/smooth_normals.h"
+#include "filters/geometry/vertex_normals.h"
 #include "filters/geometry/wrap.h"
 #include "tests/geometry/mesh_corpus.h"
 #include "tests/geometry/point_fixtures.h"
@@ -208,8 +213,8 @@ TEST(Relax, TakesTheNoiseOutOfTheScannedSphere)
     GTEST_SKIP() << "no synthetic/sphere20k_noise.xyz";
   }
   const auto distance = [](const Vec3& p) { return length(p) - 1.0; };
-  EXPECT_GT(noiseRatio("sphere", scan, distance), 3.85);
-  EXPECT_GT(noiseRatio("sphere", scan, distance, { .iterations = 100 }), 4.35);
+  EXPECT_GT(noiseRatio("sphere", scan, distance), 4.0);
+  EXPECT_GT(noiseRatio("sphere", scan, distance, { .iterations = 100 }), 4.5);
 }
 
 TEST(Relax, TakesTheNoiseOutOfTheScannedTorus)
@@ -221,14 +226,20 @@ TEST(Relax, TakesTheNoiseOutOfTheScannedTorus)
   }
   const auto distance = [](const Vec3& p)
   { return std::hypot(std::hypot(p.x, p.y) - 1.0, p.z) - 0.35; };
-  EXPECT_GT(noiseRatio("torus", scan, distance), 4.05);
+  EXPECT_GT(noiseRatio("torus", scan, distance), 4.2);
 }
 
-TEST(Relax, TakesTheNoiseOutOfTheSimulatedScan)
+TEST(Relax, TakesTheNoiseOutOfTheSimulatedScanOfALimb)
+{
+  EXPECT_GT(noiseRatio("limb", samples::simulateLimbScan(), truth::limb::distance), 4.2);
+}
+
+/// Its fillets are hardly wider than the neighbourhood that tells the noise from the shape.
+TEST(Relax, TakesMostOfTheNoiseOutOfTheSimulatedScanOfAPart)
 {
   const std::vector<Vec3> scan = samples::simulateScan();
-  EXPECT_GT(noiseRatio("link", scan, truth::distance), 3.05);
-  EXPECT_GT(noiseRatio("link", scan, truth::distance, { .iterations = 25 }), 3.15);
+  EXPECT_GT(noiseRatio("link", scan, truth::distance), 3.0);
+  EXPECT_GT(noiseRatio("link", scan, truth::distance, { .iterations = 25 }), 3.1);
 }
 
 TEST(Relax, KeepsTheVolumeOver50Iterations)
@@ -490,7 +501,7 @@ TEST(Relax, IsTheSameOnAnyNumberOfThreadsAndKeepsItsPromisesWhateverTheOptions)
     const TriMesh mesh = noisy(meshes.at(random.below(4)), 0.01 * random.unit(), random.next());
     RelaxOptions options;
     options.iterations = 1 + static_cast<int>(random.below(60));
-    options.lambda = 0.1 + 0.7 * random.unit();
+    options.lambda = 0.1 + 0.58 * random.unit();
     options.mu = -options.lambda - 0.03 * random.unit() - 1e-6;
     options.boundary = random.below(2) == 0 ? Boundary::keep : Boundary::relax;
     options.featureAngle = random.below(3) == 0 ? 20.0 + 60.0 * random.unit() : 0.0;
@@ -513,12 +524,114 @@ TEST(Relax, IsTheSameOnAnyNumberOfThreadsAndKeepsItsPromisesWhateverTheOptions)
   }
 }
 
+/// Without a largest deviation many steps are taken at once, as the sum of a series.
+TEST(Relax, ManyStepsAtOnceAreThoseSteps)
+{
+  const std::uint64_t seed = pointSeed();
+  Random random(seed);
+  for (int i = 0; i < 30; ++i)
+  {
+    const std::array<TriMesh, 4> meshes{ ball(30), corpus::torus(60), sheet(50), cube(20) };
+    const TriMesh mesh = noisy(meshes.at(random.below(4)), 0.02 * random.unit(), random.next());
+    RelaxOptions options;
+    options.iterations = 1 + static_cast<int>(random.below(i < 3 ? 1000 : i < 10 ? 10 : 150));
+    options.lambda = 0.1 + 0.58 * random.unit();
+    options.mu = -options.lambda - 0.03 * random.unit() - 1e-6;
+    options.boundary = random.below(2) == 0 ? Boundary::keep : Boundary::relax;
+    const bool areNormalsAnew = options.iterations > 10; // near edges the least change turns them
+    options.featureAngle = areNormalsAnew ? 0.0 : 20.0 + 60.0 * random.unit();
+    const RelaxResult atOnce = run(mesh, options);
+    options.maxDeviation = 1e9;
+    const RelaxResult oneByOne = run(mesh, options);
+    EXPECT_LT(largestShift(atOnce.points, oneByOne.points), 2e-5 * oneByOne.largestShift)
+      << "SCAN_TEST_SEED=" << seed << " round " << i << " iterations " << options.iterations
+      << " lambda " << options.lambda << " mu " << options.mu << " features "
+      << options.featureAngle << " points " << mesh.points.size();
+  }
+}
+
+TEST(ChebyshevSeries, IsThePolynomialAndLosesNoMoreThanItMay)
+{
+  const auto f = [](double x) { return ((3.0 * x - 1.0) * x + 0.5) * x - 2.0; };
+  const std::vector<double> exact = chebyshevSeries(4, f);
+  // x^2 = (T_0 + T_2) / 2, x^3 = (3 T_1 + T_3) / 4
+  const std::array<double, 4> expected{ -2.0 - 0.5, 0.5 + 9.0 / 4.0, -0.5, 3.0 / 4.0 };
+  ASSERT_EQ(exact.size(), expected.size());
+  for (std::size_t m = 0; m < expected.size(); ++m)
+  {
+    EXPECT_NEAR(exact[m], expected.at(m), 1e-14);
+  }
+  const auto bell = [](double x) { return std::exp(-30.0 * (x - 1.0) * (x - 1.0)); };
+  for (const double tolerance : { 1e-12, 1e-6, 1e-2 })
+  {
+    std::vector<double> series = chebyshevSeries(200, bell);
+    truncate(series, tolerance);
+    EXPECT_LT(series.size(), tolerance < 1e-9 ? 60U : 40U);
+    double worst = 0.0;
+    for (double angle = 0.0; angle <= pi; angle += 0.01)
+    {
+      double sum = 0.0;
+      for (std::size_t m = 0; m < series.size(); ++m)
+      {
+        sum += series[m] * std::cos(static_cast<double>(m) * angle);
+      }
+      worst = std::max(worst, std::abs(sum - bell(std::cos(angle))));
+    }
+    EXPECT_LT(worst, tolerance + 1e-14);
+    EXPECT_GT(worst, 1e-3 * tolerance);
+  }
+  std::vector<double> nothing{ 1e-9, 1e-9 };
+  truncate(nothing, 1e-6);
+  EXPECT_TRUE(nothing.empty());
+}
+
+/// From a noisy sphere, of triangles of many sizes.
+TEST(SmoothNormals, AreNearerToTheTruthThanThoseOfTheTrianglesAround)
+{
+  Random random(pointSeed());
+  TriMesh mesh = cube(40);
+  for (Vec3& p : mesh.points)
+  {
+    p = unitVector(p + noise(random, 0.008));
+  }
+  const std::vector<Vec3> truth = mesh.points;
+  std::ranges::for_each(mesh.points, [&](Vec3& p) { p = p + noise(random, 0.002); });
+  Execution execution(2);
+  const PointLinks links = linkPoints(mesh, execution);
+  std::vector<std::uint8_t> isSharp(mesh.points.size(), 0);
+  isSharp[7] = 1;
+  SmoothNormals normals({ mesh.triangles, links.triangles, links.neighbours, isSharp });
+  LargeArray<Float4> places(mesh.points.size());
+  std::ranges::transform(
+    mesh.points, places.begin(), [](const Vec3& p) { return narrowed(p, 1.0); });
+  normals.compute(places, execution);
+  const std::vector<Vec3> around = vertexNormals(mesh);
+  double ofMeans = 0.0;
+  double ofTriangles = 0.0;
+  for (Index i = 0; i < truth.size(); ++i)
+  {
+    const Vec3 normal = widened(normals.of(i), 1.0);
+    if (i == 7)
+    {
+      EXPECT_EQ(normal, Vec3{});
+      continue;
+    }
+    EXPECT_NEAR(length(normal), 1.0, 1e-6);
+    ofMeans += std::pow(length(normal - truth[i]), 2);
+    ofTriangles += std::pow(length(around[i] - truth[i]), 2);
+  }
+  std::cout << "normals of triangles are off by " << std::sqrt(ofTriangles / ofMeans)
+            << " times as much\n";
+  EXPECT_LT(ofMeans, 0.04 * ofTriangles);
+}
+
 TEST(Relax, RefusesWeightsThatWouldShrinkOrExplode)
 {
   const TriMesh mesh = ball(4);
   for (const auto& [lambda, mu] : { std::pair{ 0.0, -0.1 }, std::pair{ 1.1, -1.1 },
          std::pair{ 0.5, -0.5 }, std::pair{ 0.5, -0.3 }, std::pair{ 0.5, -1.2 },
-         std::pair{ 0.5, 0.6 }, std::pair{ std::nan(""), -0.6 }, std::pair{ 0.5, std::nan("") } })
+         std::pair{ 0.5, 0.6 }, std::pair{ 0.72, -0.725 }, std::pair{ 1.0, -1.05 },
+         std::pair{ std::nan(""), -0.6 }, std::pair{ 0.5, std::nan("") } })
   {
     try
     {
