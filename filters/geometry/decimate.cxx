@@ -6,7 +6,7 @@
 #include "filters/geometry/box_tree.h"
 #include "filters/geometry/collect.h"
 #include "filters/geometry/finite_points.h"
-#include "filters/geometry/hilbert_order.h"
+#include "filters/geometry/ordered_mesh.h"
 #include "filters/geometry/quadric_decimation.h"
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/surface_deviation.h"
@@ -28,64 +28,13 @@ namespace
 /// The largest deviation is several times the mean one; this share lets most limits hold at once.
 constexpr double kMeanOfLargest = 0.4;
 
-/// A mesh in an order that keeps near things near, and where its parts come from.
-struct OrderedMesh
+/// In coordinates from `origin`, as sums of squares need small numbers.
+OrderedMesh orderedFrom(const Vec3& origin, const TriMesh& mesh, Execution& execution)
 {
-  TriMesh mesh;
-  std::vector<Index> pointNames;
-  std::vector<Index> numbers; ///< per input point its number here
-  std::vector<Index> triangleNames;
-  Vec3 origin; ///< of the new coordinates: sums of squares need small numbers
-};
-
-/// Whether the points of most triangles are far apart in memory.
-bool isScattered(const TriMesh& mesh)
-{
-  constexpr double kNear = 0.02; // of all points
-  double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    sum += static_cast<double>(std::max({ a, b, c }) - std::min({ a, b, c }));
-  }
-  return sum >
-    kNear * static_cast<double>(mesh.points.size()) * static_cast<double>(mesh.triangles.size());
-}
-
-OrderedMesh ordered(const TriMesh& mesh, Execution& execution)
-{
-  OrderedMesh result;
-  result.pointNames.resize(mesh.points.size());
-  result.triangleNames.resize(mesh.triangles.size());
-  std::iota(result.pointNames.begin(), result.pointNames.end(), Index{ 0 });
-  std::iota(result.triangleNames.begin(), result.triangleNames.end(), Index{ 0 });
-  result.numbers = result.pointNames;
-  result.mesh = mesh;
-  result.origin = mesh.points.front();
-  if (isScattered(mesh))
-  {
-    result.pointNames = hilbertOrder(mesh.points, execution);
-    for (Index i = 0; i < result.numbers.size(); ++i)
-    {
-      result.numbers[result.pointNames[i]] = i;
-      result.mesh.points[i] = mesh.points[result.pointNames[i]];
-    }
-    const std::vector<Index>& number = result.numbers;
-    std::vector<Index> first(mesh.triangles.size());
-    std::ranges::transform(mesh.triangles, first.begin(),
-      [&](const Triangle& t) {
-        return std::min({ number[t[0]], number[t[1]], number[t[2]] });
-      });
-    std::ranges::stable_sort(result.triangleNames, {}, [&](Index t) { return first[t]; });
-    std::ranges::transform(result.triangleNames, result.mesh.triangles.begin(),
-      [&](Index name)
-      {
-        const auto& [a, b, c] = mesh.triangles[name];
-        return Triangle{ number[a], number[b], number[c] };
-      });
-  }
+  OrderedMesh result = orderedMesh(mesh, execution);
   for (Vec3& point : result.mesh.points)
   {
-    point = point - result.origin;
+    point = point - origin;
   }
   return result;
 }
@@ -149,7 +98,8 @@ SurfaceEdit editOf(const QuadricDecimation& run, const std::vector<Index>& names
       number[point] = static_cast<Index>(edit.pointOrigin.size());
       const bool stays = left.points[point] == ordered.mesh.points[names[point]];
       edit.pointOrigin.push_back(name);
-      edit.mesh.points.push_back(stays ? input.points[name] : left.points[point] + ordered.origin);
+      edit.mesh.points.push_back(
+        stays ? input.points[name] : left.points[point] + input.points.front());
     }
   }
   std::vector<Index> triangle(input.triangles.size(), kNone);
@@ -208,7 +158,7 @@ public:
     : Input(mesh)
     , Options(options)
     , Exec(execution)
-    , Ordered(ordered(mesh, execution))
+    , Ordered(orderedFrom(mesh.points.front(), mesh, execution))
     , IsFixed(fixedPoints(this->Ordered, options.isInRegion))
     , CostLimits(mesh.points.size(), std::numeric_limits<float>::infinity())
   {

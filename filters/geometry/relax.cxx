@@ -8,8 +8,8 @@
 #include "filters/geometry/finite_points.h"
 #include "filters/geometry/guided_filter.h"
 #include "filters/geometry/half_edges.h"
-#include "filters/geometry/hilbert_order.h"
 #include "filters/geometry/local_plane.h"
+#include "filters/geometry/ordered_mesh.h"
 #include "filters/geometry/umbrella_steps.h"
 
 #include <algorithm>
@@ -155,19 +155,6 @@ double volumeOf(std::span<const Vec3> points, const std::vector<Triangle>& trian
   return sum / 6.0;
 }
 
-/// Neighbours have numbers so far apart that caches are of no use.
-bool isScattered(const TriMesh& mesh)
-{
-  constexpr Index kFar = 4096;
-  const auto far = std::ranges::count_if(mesh.triangles,
-    [](const Triangle& triangle)
-    {
-      const auto [low, high] = std::ranges::minmax(triangle);
-      return high - low > kFar;
-    });
-  return static_cast<std::size_t>(far) > mesh.triangles.size() / 4;
-}
-
 /// Where the points are afterwards; the counts of features, too.
 RelaxResult movedPoints(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
   const RelaxOptions& options, Execution& execution)
@@ -208,27 +195,14 @@ RelaxResult movedPoints(const TriMesh& mesh, std::span<const std::uint8_t> inReg
 RelaxResult movedInOrder(const TriMesh& mesh, std::span<const std::uint8_t> inRegion,
   const RelaxOptions& options, Execution& execution)
 {
-  const std::vector<Index> order = hilbertOrder(mesh.points, execution);
-  std::vector<Index> rank(order.size());
-  TriMesh ordered{ std::vector<Vec3>(order.size()), mesh.triangles };
-  std::vector<std::uint8_t> orderedRegion(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    rank[order[i]] = static_cast<Index>(i);
-    ordered.points[i] = mesh.points[order[i]];
-    orderedRegion[i] = inRegion[order[i]];
-  }
-  for (Triangle& triangle : ordered.triangles)
-  {
-    std::ranges::transform(triangle, triangle.begin(), [&](Index corner) { return rank[corner]; });
-  }
-  std::ranges::sort(ordered.triangles, {}, [](const Triangle& t) { return std::ranges::min(t); });
-  RelaxResult result = movedPoints(ordered, orderedRegion, options, execution);
-  std::vector<Vec3> points(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    points[order[i]] = result.points[i];
-  }
+  const OrderedMesh ordered = orderedMesh(mesh, execution);
+  std::vector<std::uint8_t> orderedRegion(inRegion.size());
+  std::ranges::transform(
+    ordered.pointNames, orderedRegion.begin(), [&](Index name) { return inRegion[name]; });
+  RelaxResult result = movedPoints(ordered.mesh, orderedRegion, options, execution);
+  std::vector<Vec3> points(mesh.points.size());
+  std::ranges::transform(
+    ordered.numbers, points.begin(), [&](Index number) { return result.points[number]; });
   result.points = std::move(points);
   return result;
 }
