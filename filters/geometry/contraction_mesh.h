@@ -4,6 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/half_edges.h"
+#include "filters/geometry/large_array.h"
 #include "filters/geometry/mesh.h"
 
 #include <cstdint>
@@ -21,9 +22,9 @@ public:
   ContractionMesh(TriMesh mesh, Execution& execution);
 
   std::vector<Vec3> points;
-  std::vector<Index> corner; ///< per half-edge where it begins; kNone of triangles gone
-  std::vector<Index> mate;   ///< per half-edge the reverse one, kNone at a boundary
-  std::vector<Index> out;    ///< per point a half-edge; the first one of a boundary point
+  LargeArray<Index> corner; ///< per half-edge where it begins; kNone of triangles gone
+  std::vector<Index> mate;  ///< per half-edge the reverse one, kNone at a boundary
+  std::vector<Index> out;   ///< per point a half-edge; the first one of a boundary point
   std::vector<std::uint8_t> isSingular;
   std::size_t triangles = 0; ///< that are left
 

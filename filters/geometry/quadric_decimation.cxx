@@ -6,9 +6,11 @@
 #include "filters/geometry/point_triangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace scan
 {
@@ -366,6 +368,20 @@ float QuadricDecimation::threshold(std::size_t triangles)
 void QuadricDecimation::sweep(float threshold, std::size_t triangles, Execution& execution)
 {
   constexpr std::size_t kHalvesToPoll = 1 << 16;
+  // edges wait a little until what they need is fetched
+  std::array<Index, 8> waiting;
+  waiting.fill(kNone);
+  std::size_t found = 0;
+  const auto contractOne = [&](Index half)
+  {
+    if (half != kNone && this->EdgeCosts[half] <= threshold && this->Mesh.triangles > triangles)
+    {
+      if (const float cost = this->tryContraction(half, threshold); cost > 0.0F)
+      {
+        this->EdgeCosts[half] = cost;
+      }
+    }
+  };
   for (Index half = 0; half < this->EdgeCosts.size() && this->Mesh.triangles > triangles; ++half)
   {
     if (half % kHalvesToPoll == 0 && execution.cancelled())
@@ -374,11 +390,25 @@ void QuadricDecimation::sweep(float threshold, std::size_t triangles, Execution&
     }
     if (this->EdgeCosts[half] <= threshold)
     {
-      if (const float cost = this->tryContraction(half, threshold); cost > 0.0F)
-      {
-        this->EdgeCosts[half] = cost;
-      }
+      this->fetch(half);
+      contractOne(std::exchange(waiting[found++ % waiting.size()], half));
     }
+  }
+  for (std::size_t i = 0; i < waiting.size(); ++i)
+  {
+    contractOne(waiting[(found + i) % waiting.size()]);
+  }
+}
+
+/// Has memory bring what the contraction of an edge begins with.
+void QuadricDecimation::fetch(Index half) const
+{
+  __builtin_prefetch(&this->Mesh.mate[half]);
+  for (const Index end : { this->Mesh.from(half), this->Mesh.to(half) })
+  {
+    __builtin_prefetch(&this->Quadrics[end]);
+    __builtin_prefetch(&this->Mesh.points[end]);
+    __builtin_prefetch(&this->Mesh.out[end]);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "filters/base/execution.h"
 #include "filters/geometry/contraction_mesh.h"
+#include "filters/geometry/large_array.h"
 #include "filters/geometry/quadric.h"
 
 #include <cstddef>
@@ -73,6 +74,7 @@ private:
   double squaredLoss(Index half, const Vec3& place, double enough) const;
   float threshold(std::size_t triangles);
   void sweep(float threshold, std::size_t triangles, Execution& execution);
+  void fetch(Index half) const;
   float tryContraction(Index half, float threshold);
   void contract(Index half, const Contraction& contraction);
   void updateCosts(Index point);
@@ -80,10 +82,10 @@ private:
 
   ContractionMesh Mesh;
   std::vector<std::uint8_t> IsFixed;
-  std::vector<Quadric> Quadrics; // per point
-  std::vector<float> EdgeCosts;  // per half-edge, at the smaller one of each edge
-  std::vector<float> Costs;      // per point
-  std::vector<Index> Into;       // per point the one that it was contracted into, or itself
+  LargeArray<Quadric> Quadrics; // per point
+  LargeArray<float> EdgeCosts;  // per half-edge, at the smaller one of each edge
+  std::vector<float> Costs;     // per point
+  std::vector<Index> Into;      // per point the one that it was contracted into, or itself
   std::vector<Index> TriangleNames;
   std::vector<float> Sample;
   double MeanDistance = 0.0;
