@@ -65,7 +65,7 @@ struct RelaxResult
 /// stays within maxDeviation of where it was, both ways.
 ///
 /// The same bytes on any number of threads. About 0.4 s for a million triangles and 50 iterations,
-/// 0.2 s more with a largest deviation, 7 s more with features. Reports the phases "features", if
+/// 0.1 s more with a largest deviation, 7 s more with features. Reports the phases "features", if
 /// there are, and "relax".
 /// @param inRegion per point 0 or 1
 /// @throws Error{badInput} for points that are not finite and triangles that name missing points;
