@@ -42,8 +42,8 @@ Results surfaceResults(const vtkScanSurfaceFilter& filter, const Results& own)
 std::vector<Operation> surfaceOperations()
 {
   return { mendOperation(), orientOperation(), fillHolesOperation(), bridgeOperation(),
-    refineOperation(), relaxOperation(), decimateOperation(), remeshOperation(),
-    thickenOperation(), offsetOperation(), sharpenOperation() };
+    refineOperation(), relaxOperation(), decimateOperation(), remeshOperation(), thickenOperation(),
+    offsetOperation(), sharpenOperation() };
 }
 
 } // namespace scan

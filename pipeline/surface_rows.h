@@ -25,7 +25,7 @@ void setSurfaceProperties(vtkScanSurfaceFilter& filter, const ParameterValues& v
 template <class Filter>
 vtkSmartPointer<Filter> newSurfaceFilter(const ParameterValues& values)
 {
-  const auto filter = vtkSmartPointer<Filter>::New();
+  auto filter = vtkSmartPointer<Filter>::New();
   setSurfaceProperties(*filter, values);
   return filter;
 }

@@ -11,8 +11,7 @@ namespace scan
 /// initialised unless by {}, as arrays of millions are written next.
 struct Float4
 {
-  typedef float Lanes
-    __attribute__((vector_size(16))); // of GCC and Clang; compilers miss it in loops
+  using Lanes [[gnu::vector_size(16)]] = float; // of GCC and Clang; compilers miss it in loops
   Lanes lanes;
 };
 

@@ -7,7 +7,8 @@
 namespace scan
 {
 
-/// `to`, or where the way there is `limit` from its beginning: never farther, whatever the rounding.
+/// `to`, or where the way there is `limit` from its beginning: never farther, whatever the
+/// rounding.
 Vec3 limitedMove(const Vec3& from, const Vec3& to, double limit);
 
 } // namespace scan
