@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -43,6 +44,40 @@ std::string textOf(const scan::DefectList& list)
     }
   }
   return text;
+}
+
+using Marks = std::vector<std::uint8_t>;
+
+/// Per triangle 1 where there is a defect of that kind.
+Marks trianglesWith(
+  std::size_t kind, const std::vector<scan::Defect>& defects, std::size_t triangles)
+{
+  Marks marks(triangles, 0);
+  for (const scan::Defect& defect : defects)
+  {
+    for (const scan::Index t : defect.triangles)
+    {
+      if (static_cast<std::size_t>(defect.kind) == kind)
+      {
+        marks[t] = 1;
+      }
+    }
+  }
+  return marks;
+}
+
+/// Per point the mark of the first of its triangles that has one.
+Marks atCorners(const scan::TriMesh& mesh, const Marks& marks)
+{
+  Marks onPoints(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < marks.size(); ++t)
+  {
+    for (const scan::Index point : mesh.triangles[t])
+    {
+      onPoints[point] = onPoints[point] == 0 ? marks[t] : onPoints[point];
+    }
+  }
+  return onPoints;
 }
 
 } // namespace
@@ -78,42 +113,20 @@ void vtkScanMendFilter::Finish(vtkPolyData& output)
     return;
   }
   const scan::TriMesh mesh = scan::bridge::meshOf(output);
-  using Marks = std::vector<std::uint8_t>;
-  const auto toPoints = [&](const Marks& marks)
-  {
-    Marks onPoints(mesh.points.size(), 0);
-    for (std::size_t t = 0; t < marks.size(); ++t)
-    {
-      for (const scan::Index point : mesh.triangles[t])
-      {
-        onPoints[point] = onPoints[point] == 0 ? marks[t] : onPoints[point];
-      }
-    }
-    return onPoints;
-  };
   const auto add = [&](const std::string& name, const Marks& marks)
   {
     setArray(*output.GetCellData(), name, marks);
-    setArray(*output.GetPointData(), name, toPoints(marks));
+    setArray(*output.GetPointData(), name, atCorners(mesh, marks));
   };
   Marks first(mesh.triangles.size(), 0);
   for (std::size_t kind = 0; kind < scan::kDefectKinds; ++kind)
   {
-    Marks marks(mesh.triangles.size(), 0);
-    bool isThere = false;
-    for (const scan::Defect& defect : this->Result.found.defects)
+    const Marks marks = trianglesWith(kind, this->Result.found.defects, mesh.triangles.size());
+    for (std::size_t t = 0; t < marks.size(); ++t)
     {
-      for (const scan::Index t : defect.triangles)
-      {
-        if (static_cast<std::size_t>(defect.kind) == kind)
-        {
-          isThere = true;
-          marks[t] = 1;
-          first[t] = first[t] == 0 ? static_cast<std::uint8_t>(kind + 1) : first[t];
-        }
-      }
+      first[t] = first[t] == 0 && marks[t] != 0 ? static_cast<std::uint8_t>(kind + 1) : first[t];
     }
-    if (isThere)
+    if (std::ranges::count(marks, 1) > 0)
     {
       const std::string kindName(scan::kDefectNames.at(kind));
       const std::string name = "Defect-" + kindName;
