@@ -9,6 +9,7 @@
 #include "filters/geometry/openmesh_decimate.h"
 #include "filters/geometry/self_intersections.h"
 #include "filters/geometry/surface_deviation.h"
+#include "tests/bench/knot_scan.h"
 #include "tests/geometry/point_fixtures.h"
 #include "tests/geometry/refine_fixtures.h"
 #include "tests/geometry/surface_corpus.h"
@@ -161,6 +162,20 @@ TEST(Decimate, GoesFarWithinALargestDeviation)
   const DecimateResult result = decimated(torus, options);
   EXPECT_LT(result.edit.mesh.triangles.size(), torus.triangles.size() / 8);
   EXPECT_GT(distanceBound(torus, result.edit.mesh), 0.5 * options.maxDeviation);
+}
+
+TEST(Decimate, LeavesNoPlaceFartherThanItsOthersWhenHalfGoes)
+{
+  const TriMesh mesh = bench::knotSurface(800, 100);
+  Execution execution(2);
+  DecimateOptions options;
+  options.triangles = mesh.triangles.size() / 2;
+  const TriMesh half = decimate(mesh, options, execution).edit.mesh;
+  const auto there = deviationFrom(mesh, TriangleTree(half, execution), execution);
+  const auto back = deviationFrom(half, TriangleTree(mesh, execution), execution);
+  const double mean = (there.mean + back.mean) / 2.0;
+  EXPECT_LT(std::max(there.largest, back.largest), 8.0 * mean);
+  EXPECT_LT(mean, 2.05e-3); // the knot is 80 long
 }
 
 TEST(Decimate, LeavesFewTrianglesInAPlane)
