@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "data/truth_measures.h"
 #include "filters/geometry/mesh.h"
 
 #include <algorithm>
@@ -40,19 +41,7 @@ inline double partDistance(const Part& part, const scan::Vec3& p)
   const scan::Vec3 way = p - part.from;
   const double along = dot(way, axis) / length;
   const double across = std::sqrt(std::max(dot(way, way) - along * along, 0.0));
-  // in the plane of the axis and p: the line that touches both circles
-  const double slope = (part.fromRadius - part.toRadius) / length;
-  const double rise = std::sqrt(1.0 - slope * slope);
-  const double place = rise * along - slope * across;
-  if (place < 0.0)
-  {
-    return std::sqrt(along * along + across * across) - part.fromRadius;
-  }
-  if (place > rise * length)
-  {
-    return std::sqrt((along - length) * (along - length) + across * across) - part.toRadius;
-  }
-  return slope * along + rise * across - part.fromRadius;
+  return outlineDistance(along, across, length, part.fromRadius, part.toRadius);
 }
 
 /// Zero on the surface, negative inside; never more than the distance from it outside.
@@ -70,10 +59,7 @@ inline double field(const scan::Vec3& p)
 
 inline scan::Vec3 gradient(const scan::Vec3& p)
 {
-  constexpr double kStep = 1e-4;
-  const auto slope = [&](const scan::Vec3& axis)
-  { return (field(p + axis * kStep) - field(p - axis * kStep)) / (2.0 * kStep); };
-  return { slope({ 1, 0, 0 }), slope({ 0, 1, 0 }), slope({ 0, 0, 1 }) };
+  return differences(p, field) * (0.5 / kDifferenceStep);
 }
 
 /// Signed distance to the solid's surface, negative inside, of points within a millimetre of it: to

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "data/truth_measures.h"
 #include "filters/geometry/mesh.h"
 
 #include <algorithm>
@@ -20,31 +21,13 @@ inline constexpr double kEyeRadius = 11.0;
 inline constexpr double kThickness = 16.0;
 inline constexpr double kRounding = 4.0; ///< radius of all edges
 
-/// Signed distance to the outline of two discs and their common tangents.
-inline double outlineDistance(double x, double y, double wide, double narrow)
-{
-  const double slope = (wide - narrow) / kLength;
-  const double rise = std::sqrt(1.0 - slope * slope);
-  const double across = std::abs(y);
-  const double along = rise * x - slope * across;
-  if (along < 0.0)
-  {
-    return std::sqrt(x * x + y * y) - wide;
-  }
-  if (along > rise * kLength)
-  {
-    return std::sqrt((x - kLength) * (x - kLength) + y * y) - narrow;
-  }
-  return slope * x + rise * across - wide;
-}
-
 /// Signed distance to the solid's surface, negative inside; exact to rounding for points outside
 /// and for points less than the rounding below the surface.
 inline double distance(const scan::Vec3& p)
 {
   // the core, smaller by the rounding all around, then everything within the rounding of it
-  const double outline =
-    outlineDistance(p.x, p.y, kWideRadius - kRounding, kNarrowRadius - kRounding);
+  const double outline = outlineDistance(
+    p.x, std::abs(p.y), kLength, kWideRadius - kRounding, kNarrowRadius - kRounding);
   const double eye = kEyeRadius + kRounding - std::sqrt(p.x * p.x + p.y * p.y);
   const double flat = std::max(outline, eye);
   const double height = std::abs(p.z) - (0.5 * kThickness - kRounding);

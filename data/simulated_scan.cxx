@@ -5,6 +5,7 @@
 #include "data/limb_scan_truth.h"
 #include "data/multiview_scan_truth.h"
 #include "data/splitmix.h"
+#include "data/truth_measures.h"
 
 #include <numbers>
 #include <optional>
@@ -70,15 +71,6 @@ std::optional<double> castRay(
   return std::nullopt;
 }
 
-template <class Distance>
-Vec3 surfaceNormal(const Vec3& p, Distance&& distanceAt)
-{
-  constexpr double step = 1e-4;
-  const auto slope = [&](const Vec3& axis)
-  { return distanceAt(p + axis * step) - distanceAt(p - axis * step); };
-  return normalized({ slope({ 1, 0, 0 }), slope({ 0, 1, 0 }), slope({ 0, 0, 1 }) });
-}
-
 /// @param distanceAt of a point outside, at most how far it is from the solid; zero on its surface
 template <class Distance>
 std::vector<Vec3> seenPoints(const Scanner& scanner, Distance&& distanceAt)
@@ -98,7 +90,8 @@ std::vector<Vec3> seenPoints(const Scanner& scanner, Distance&& distanceAt)
           scanner.target + right * (scanner.pitch * column) + up * (scanner.pitch * row);
         const Vec3 ray = normalized(aim - eye);
         const std::optional<double> range = castRay(scanner, eye, ray, distanceAt);
-        if (range && -dot(surfaceNormal(eye + ray * *range, distanceAt), ray) > kGrazing)
+        if (range &&
+          -dot(normalized(truth::differences(eye + ray * *range, distanceAt)), ray) > kGrazing)
         {
           points.push_back(eye + ray * (*range + scanner.noise * random.normal()));
         }
